@@ -11,6 +11,7 @@
 #include "models/parts/cameras.h"
 #include "models/parts/contact_material.h"
 #include "models/parts/imu.h"
+#include "models/parts/jointed_link.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 #include "models/parts/tether.h"
@@ -38,6 +39,7 @@ struct CollarModel {
 struct RoverModel {
   std::string name;
   LinkModel body, left_wheel, right_wheel, arm;
+  JointedLinks further;  // which carry no part that the controller knows of
   Eigen::Vector3d p_R_left_wheel{0, 0, 0}, p_R_right_wheel{0, 0, 0};  // wheel centres in the body
   // The arm turns about the body's y axis through its origin. Link frame: A.
   // End stops, tip-down positive; infinite: it turns round and round.
@@ -60,7 +62,8 @@ struct RoverModel {
 
   double track_m() const { return p_R_left_wheel.y() - p_R_right_wheel.y(); }
   double mass_kg() const {
-    return body.mass_kg + left_wheel.mass_kg + right_wheel.mass_kg + arm.mass_kg;
+    return body.mass_kg + left_wheel.mass_kg + right_wheel.mass_kg + arm.mass_kg +
+           further.mass_kg();
   }
 };
 

@@ -9,6 +9,7 @@
 #include "models/axel/urdf_agreement.h"
 #include "models/read/config_error.h"
 #include "models/read/load_contact.h"
+#include "models/read/load_joints.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_spreads.h"
@@ -29,6 +30,7 @@ constexpr double kLightestCable_kg_per_m = 0.001;
 struct RoverFile {
   std::string urdf;
   StereoFile cameras;
+  JointsFile joints;
   // In which a rover may differ from what it was drawn for; NaN: as drawn.
   double left_radius_scale = 1.0, right_radius_scale = 1.0, arm_offset_m = 0.0, mass_scale = 1.0;
   double track_m = kNone, body_com_x_m = kNone;
@@ -124,6 +126,7 @@ void VisitRover(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Mapping("imu", [&](Keys& in) { VisitImu(in, rover.imu); });
   VisitStereo(keys, "cameras", file.cameras);
   keys.File("urdf", file.urdf);
+  VisitJoints(keys, file.joints);
   keys.Number(Optional("mass_scale"), file.mass_scale, Between(0.1, 10.0));
   keys.Number(Unset("body_com_x_m"), file.body_com_x_m, Between(-1.0, 1.0));
   NameSpreads(keys);
@@ -165,9 +168,17 @@ void TakeLinks(const YamlReader& in, const RoverFile& file, const RoverModel& dr
   const double track_m = std::isnan(file.track_m) ? drawn.track_m() : file.track_m;
   rover.p_R_left_wheel = Eigen::Vector3d(0.0, 0.5 * track_m, 0.0);
   rover.p_R_right_wheel = -rover.p_R_left_wheel;
+  const auto weigh = [&](LinkModel& link) {
+    link.mass_kg *= file.mass_scale;
+    link.I_LCom_L *= file.mass_scale;
+  };
   for (LinkModel* link : {&rover.body, &rover.left_wheel, &rover.right_wheel, &rover.arm}) {
-    link->mass_kg *= file.mass_scale;
-    link->I_LCom_L *= file.mass_scale;
+    weigh(*link);
+  }
+  for (JointedLink& each : rover.further.links) {
+    weigh(each.link);
+    // What the arm carries is mounted further out with it.
+    if (each.carrier == kArmNumber) each.X_PL.p.x() += rover.arm_length_m - drawn.arm_length_m;
   }
   if (!std::isnan(file.body_com_x_m)) rover.body.p_LoCom_L.x() = file.body_com_x_m;
 }
@@ -183,7 +194,9 @@ RoverModel ReadRoverKeys(const YamlNode& tree, const YamlNode& drawn_by, int ima
                           {kDefaultImageWidth, kDefaultImageHeight});
   Differ(file, rover);
   const UrdfModel urdf = LoadUrdf(file.urdf, meshes);
-  TakeLinks(in, file, ReadDrawn(drawn_by, urdf), rover);
+  const RoverModel drawn = ReadDrawn(drawn_by, urdf);
+  rover.further = TakeFurtherLinks(in, urdf, file.joints);
+  TakeLinks(in, file, drawn, rover);
   CheckArm(urdf, rover);
   if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
       rover.arm_at_power_on_rad > rover.arm_upper_rad) {

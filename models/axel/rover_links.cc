@@ -29,7 +29,7 @@ void CheckJoint(const UrdfJoint& joint, const char* child) {
   }
 }
 
-/// The model with fixed links welded: body, wheels and arm are left, and their three joints.
+/// The model with fixed links welded.
 UrdfModel WeldRover(const UrdfModel& urdf) {
   if (urdf.root != "body") {
     throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'body'");
@@ -42,10 +42,7 @@ UrdfModel WeldRover(const UrdfModel& urdf) {
   if (arm.type != "continuous" && arm.type != "revolute") {
     RefuseJoint(arm, "type continuous or revolute", arm.type);
   }
-  UrdfModel welded = WeldFixedLinks(urdf);
-  RequireJoints(welded, {"left_wheel_joint", "right_wheel_joint", "arm_joint"},
-                "'body', 'left_wheel', 'right_wheel' and 'arm'");
-  return welded;
+  return WeldFixedLinks(urdf);
 }
 
 }  // namespace
@@ -94,6 +91,22 @@ void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
   if (arm.type == "continuous") return;
   rover.arm_lower_rad = arm.lower_rad;
   rover.arm_upper_rad = arm.upper_rad;
+}
+
+JointedLinks TakeFurtherLinks(const YamlReader& in, const UrdfModel& file,
+                              const JointsFile& joints) {
+  // Logs have bodies by these names.
+  for (const char* taken : {"robot", "station", "rocks", "scenery", "shade"}) {
+    for (std::size_t i = 0; i < file.links.size(); ++i) {
+      if (file.links[i].name != taken) continue;
+      throw ConfigError(file.place[i] + ": expected another name than '" + taken +
+                        "', which is another body's in the logs");
+    }
+  }
+  return TakeJointedLinks(in, WeldFixedLinks(file),
+                          {.links = {"body", "left_wheel", "right_wheel", "arm"},
+                           .joints = {"left_wheel_joint", "right_wheel_joint", "arm_joint"}},
+                          joints);
 }
 
 }  // namespace dockyard::axel

@@ -18,8 +18,11 @@ struct UrdfJoint {
   std::string type;  // continuous, revolute, prismatic, fixed, floating, planar
   Pose3 X_PJ;        // joint (and child link) frame in the parent link
   Eigen::Vector3d axis_J{1, 0, 0};
-  double lower_rad = 0.0, upper_rad = 0.0;  // revolute only
-  std::string place;                        // file:line:col, for messages
+  double lower_rad = 0.0, upper_rad = 0.0;  // of a revolute joint; of a prismatic one [m]
+  double damping_nms_per_rad = 0.0, friction_nm = 0.0;  // of a prismatic joint [N s/m, N]
+  std::string mimics;                                   // another joint; empty: it moves by itself
+  double mimic_ratio = 1.0, mimic_offset_rad = 0.0;     // of its angle
+  std::string place;                                    // file:line:col, for messages
 };
 
 /// Poses in LinkModel are in the link's own frame.

@@ -19,10 +19,11 @@ namespace {
 /// Attributes that hold numbers, and how many; `value` only counts in <mass>.
 const std::vector<std::pair<std::string, std::size_t>>& NumberAttributes() {
   static const std::vector<std::pair<std::string, std::size_t>> attributes{
-      {"xyz", 3},    {"rpy", 3},      {"size", 3},    {"scale", 3},   {"rgba", 4},
-      {"radius", 1}, {"length", 1},   {"ixx", 1},     {"ixy", 1},     {"ixz", 1},
-      {"iyy", 1},    {"iyz", 1},      {"izz", 1},     {"lower", 1},   {"upper", 1},
-      {"effort", 1}, {"velocity", 1}, {"damping", 1}, {"friction", 1}};
+      {"xyz", 3},    {"rpy", 3},      {"size", 3},    {"scale", 3},    {"rgba", 4},
+      {"radius", 1}, {"length", 1},   {"ixx", 1},     {"ixy", 1},      {"ixz", 1},
+      {"iyy", 1},    {"iyz", 1},      {"izz", 1},     {"lower", 1},    {"upper", 1},
+      {"effort", 1}, {"velocity", 1}, {"damping", 1}, {"friction", 1}, {"multiplier", 1},
+      {"offset", 1}};
   return attributes;
 }
 

@@ -109,7 +109,6 @@ class ElementCheck {
   }
 
   void CheckValues(const TiXmlElement& element, const std::string& name) const {
-    if (name == "dynamics") CheckDynamics(element);
     if (name == "color") CheckColour(element);
     if (name == "axis" && element.Attribute("rpy") != nullptr) {
       // The format before URDF 1.0 turned the axis by it.
@@ -118,17 +117,6 @@ class ElementCheck {
       faults_.Add(element, std::string("rpy: expected 0 0 0, an axis is turned by its xyz alone; "
                                        "found '") +
                                element.Attribute("rpy") + "'");
-    }
-  }
-
-  void CheckDynamics(const TiXmlElement& element) const {
-    for (const char* attribute : {"damping", "friction"}) {
-      const char* text = element.Attribute(attribute);
-      if (text == nullptr || NumbersOf(text) == std::vector{0.0}) continue;
-      faults_.Add(element,
-                  std::string(attribute) +
-                      ": expected 0, the robot's YAML file has the motors' friction; found '" +
-                      text + "'");
     }
   }
 

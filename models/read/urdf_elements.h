@@ -14,8 +14,8 @@ namespace dockyard {
 /// How often each element occurs that is left out: "transmission" -> 2; "axis rpy" is an attribute.
 /// These are gone from `robot` afterwards. Faults are an element or attribute that is neither read
 /// nor left out, one given twice that may occur once, a required one missing, a material with
-/// no colour or two, and values that would change what is simulated or drawn: damping and friction
-/// of a joint other than 0, axes with a rotation, a colour that is not opaque or out of range.
+/// no colour or two, and values that would change what is simulated or drawn: axes with a rotation,
+/// a colour that is not opaque or out of range.
 std::map<std::string, int> CheckUrdfElements(TiXmlElement& robot, UrdfFaults& faults);
 
 }  // namespace dockyard

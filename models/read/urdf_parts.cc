@@ -215,6 +215,15 @@ UrdfJoint UrdfParts::ReadJoint(const urdf::Joint& in, const TiXmlElement& elemen
     joint.upper_rad =
         Checked(in.limits->upper, Between(joint.lower_rad, 1e3), place, "upper limit");
   }
+  if (in.dynamics) {
+    joint.damping_nms_per_rad = Checked(in.dynamics->damping, NonNegative(1e6), place, "damping");
+    joint.friction_nm = Checked(in.dynamics->friction, NonNegative(1e6), place, "friction");
+  }
+  if (in.mimic) {
+    joint.mimics = in.mimic->joint_name;
+    joint.mimic_ratio = Checked(in.mimic->multiplier, Between(-1e4, 1e4), place, "multiplier");
+    joint.mimic_offset_rad = Checked(in.mimic->offset, Between(-1e3, 1e3), place, "offset");
+  }
   return joint;
 }
 

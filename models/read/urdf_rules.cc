@@ -23,12 +23,14 @@ const std::map<std::string, UrdfRule>& Rules() {
       {"mesh", {{"filename", "scale"}, {}, {}}},
       {"material", {{"name"}, {"color"}, {}}},
       {"color", {{"rgba"}, {}, {}}},
-      {"joint", {{"name", "type"}, {"origin", "parent", "child", "axis", "limit", "dynamics"}, {}}},
+      {"joint",
+       {{"name", "type"}, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"}, {}}},
       {"parent", {{"link"}, {}, {}}},
       {"child", {{"link"}, {}, {}}},
       {"axis", {{"xyz"}, {}, {}}},
       {"limit", {{"lower", "upper", "effort", "velocity"}, {}, {}}},
-      {"dynamics", {{"damping", "friction"}, {}, {}}}};
+      {"dynamics", {{"damping", "friction"}, {}, {}}},
+      {"mimic", {{"joint", "multiplier", "offset"}, {}, {}}}};
   return rules;
 }
 
@@ -76,7 +78,6 @@ bool IsLeftOutAttribute(const std::string& element, const std::string& attribute
 
 std::string ReasonAgainstInUrdf(const std::string& name) {
   static const std::map<std::string, std::string> reasons{
-      {"mimic", "joints that follow another are not simulated"},
       {"safety_controller", "its soft limits are not simulated; <limit> is"},
       {"texture", "textures are not drawn; a <color> is"},
       {"capsule", "capsules are not read; a cylinder and two spheres are"}};

@@ -111,10 +111,20 @@ const LinkModel& RequireInertial(const UrdfModel& welded, const std::string& nam
                     NumberText(moments[0]) + " kg m^2");
 }
 
+void RequirePlain(const UrdfJoint& joint) {
+  if (joint.damping_nms_per_rad == 0.0 && joint.friction_nm == 0.0 && joint.mimics.empty()) return;
+  throw ConfigError(joint.place +
+                    ": expected neither damping, friction nor <mimic>: the robot's YAML file has "
+                    "the motors' friction");
+}
+
 void RequireJoints(const UrdfModel& welded, const std::vector<std::string>& joints,
                    const std::string& simulated) {
   for (const UrdfJoint& joint : welded.joints) {
-    if (std::find(joints.begin(), joints.end(), joint.name) != joints.end()) continue;
+    if (std::find(joints.begin(), joints.end(), joint.name) != joints.end()) {
+      RequirePlain(joint);
+      continue;
+    }
     throw ConfigError(joint.place + ": a " + joint.type + " joint from '" + joint.parent +
                       "' to '" + joint.child + "' is not simulated, only " + simulated +
                       " are, and what hangs on them by fixed joints");

@@ -23,7 +23,12 @@ UrdfModel WeldFixedLinks(const UrdfModel& model);
 /// ConfigError with its line where it has none.
 const LinkModel& RequireInertial(const UrdfModel& welded, const std::string& link);
 
-/// Throws ConfigError, with its line, for the first joint of a welded model that is none of these;
+/// Throws ConfigError for a joint that damps, rubs or follows another: a motor's friction is in the
+/// robot's YAML file.
+void RequirePlain(const UrdfJoint& joint);
+
+/// Throws ConfigError, with its line, for the first joint of a welded model that is none of these,
+/// or that is one and not plain;
 /// `simulated` names the simulated ones: "a body, two wheels and an arm".
 void RequireJoints(const UrdfModel& welded, const std::vector<std::string>& joints,
                    const std::string& simulated);

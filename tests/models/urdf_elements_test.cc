@@ -7,7 +7,6 @@ namespace dockyard {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 /// Two links and a joint with this inside, in line 3.
 std::string WithInJoint(const std::string& inside) {
@@ -18,14 +17,27 @@ std::string WithInJoint(const std::string& inside) {
 }
 
 TEST(UrdfElements, ThatWouldChangeTheMotionAreRefusedWithTheirLine) {
-  EXPECT_EQ(WithInJoint("\n<mimic joint=\"k\"/>"),
-            "m.urdf:4:1: <mimic>: joints that follow another are not simulated");
-  EXPECT_EQ(WithInJoint("\n<dynamics damping=\"0.1\"/>"),
-            "m.urdf:4:1: <dynamics>: damping: expected 0, the robot's YAML file has the motors' "
-            "friction; found '0.1'");
-  EXPECT_THAT(WithInJoint("\n<dynamics friction=\"1\"/>"), StartsWith("m.urdf:4:1: <dynamics>"));
   EXPECT_EQ(WithInJoint("\n<safety_controller k_velocity=\"1\"/>"),
             "m.urdf:4:1: <safety_controller>: its soft limits are not simulated; <limit> is");
+}
+
+TEST(UrdfElements, OfAJointsFrictionAndOfOneThatFollowsAreRead) {
+  const ScratchFolder folder;
+  const UrdfModel model = LoadUrdf(folder.Write(
+      "m.urdf",
+      "<robot name=\"m\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"continuous\">"
+      "<parent link=\"a\"/><child link=\"b\"/><dynamics damping=\"0.5\" friction=\"0.25\"/>"
+      "<mimic joint=\"k\" multiplier=\"-2\" offset=\"0.1\"/></joint></robot>"));
+  const UrdfJoint& joint = model.Joint("j");
+  EXPECT_EQ(joint.damping_nms_per_rad, 0.5);
+  EXPECT_EQ(joint.friction_nm, 0.25);
+  EXPECT_EQ(joint.mimics, "k");
+  EXPECT_EQ(joint.mimic_ratio, -2.0);
+  EXPECT_EQ(joint.mimic_offset_rad, 0.1);
+  EXPECT_THAT(WithInJoint("\n<dynamics damping=\"-1\"/>"),
+              HasSubstr("damping: expected a number >= 0"));
+  EXPECT_THAT(WithInJoint("\n<mimic joint=\"k\" multiplier=\"two\"/>"),
+              HasSubstr("multiplier: expected a number"));
 }
 
 TEST(UrdfElements, ThatWouldChangeTheImageAreRefusedWithTheirLine) {

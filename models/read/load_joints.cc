@@ -1,0 +1,255 @@
+#include "models/read/load_joints.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "models/read/config_error.h"
+#include "models/read/load_contact.h"
+#include "models/read/load_motor.h"
+#include "models/read/urdf_weld.h"
+
+namespace dockyard {
+namespace {
+
+// A tree of the simulation has room for these and the links of any system.
+constexpr std::size_t kMostJoints = 20;
+
+void VisitJoint(Keys& keys, JointFile& joint) {
+  const auto unset = [](const char* name, const char* unit, const char* says) {
+    return Key(name, unit, says, Presence::kUnset);
+  };
+  keys.Text("name", joint.name);
+  keys.Degrees(unset("start_deg", "deg", "angle at the start"), joint.start_rad,
+               Between(-3600.0, 3600.0));
+  keys.Number(unset("start_m", "m", "travel of a slide at the start"), joint.start_m,
+              Between(-100.0, 100.0));
+  keys.Mapping(Unset("stop"), [&](Keys& in) {
+    in.Number(unset("stiffness_nm_per_rad", "N m/rad", "of the end stops"), joint.stop_nm_per_rad,
+              Positive(1e8));
+    in.Number(unset("damping_nms_per_rad", "N m s/rad", "of the same"), joint.stop_nms_per_rad,
+              NonNegative(1e7));
+    in.Number(unset("stiffness_n_per_m", "N/m", "of a slide's end stops"), joint.stop_n_per_m,
+              Positive(1e9));
+    in.Number(unset("damping_ns_per_m", "N s/m", "of the same"), joint.stop_ns_per_m,
+              NonNegative(1e8));
+  });
+  keys.Mapping(Unset("spring"), [&](Keys& in) {
+    in.Number(unset("stiffness_nm_per_rad", "N m/rad", "of a spring at the joint"),
+              joint.spring_nm_per_rad, Positive(1e8));
+    in.Degrees(unset("rest_deg", "deg", "at which it is free"), joint.rest_rad,
+               Between(-3600.0, 3600.0));
+    in.Number(unset("stiffness_n_per_m", "N/m", "of a slide's spring"), joint.spring_n_per_m,
+              Positive(1e9));
+    in.Number(unset("rest_m", "m", "at which that is free"), joint.rest_m, Between(-100.0, 100.0));
+  });
+  keys.Mapping(Unset("motor"), [&](Keys& in) {
+    VisitMotor(in, joint.motor ? *joint.motor : joint.motor.emplace());
+  });
+  keys.Degrees(unset("rate_deg_s", "deg/s", "at which its motor runs to and fro"), joint.rate_rad_s,
+               Between(-3600.0, 3600.0));
+  keys.Number(unset("rate_m_s", "m/s", "the same of a slide"), joint.rate_m_s,
+              Between(-10.0, 10.0));
+  keys.Number(unset("lead_m_per_turn", "m", "travel of a slide for a turn of its motor's screw"),
+              joint.lead_m_per_turn, Positive(10.0));
+}
+
+void VisitPin(Keys& keys, PinFile& file) {
+  keys.Text("link", file.link);
+  keys.Text("to", file.to);
+  keys.Vector3("at_m", file.pin.p_A, Between(-100.0, 100.0));
+  keys.Number(Optional("stiffness_n_per_m"), file.pin.stiffness_n_per_m, Positive(1e10));
+  keys.Number(Optional("damping_ns_per_m"), file.pin.damping_ns_per_m, NonNegative(1e8));
+}
+
+bool Has(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Of a link by its name; -1: none.
+int NumberOf(const OwnLinks& own, const JointedLinks& taken, const std::string& link) {
+  const auto of_own = std::find(own.links.begin(), own.links.end(), link);
+  if (of_own != own.links.end()) return static_cast<int>(of_own - own.links.begin());
+  for (std::size_t i = 0; i < taken.links.size(); ++i) {
+    if (taken.links[i].link.name == link) return static_cast<int>(own.links.size() + i);
+  }
+  return -1;
+}
+
+/// Takes the joints of a tree, each after its carrier.
+class Taking {
+ public:
+  Taking(const UrdfModel& welded, const OwnLinks& own) : urdf_(welded), own_(own) {}
+
+  JointedLinks Run() {
+    std::vector<const UrdfJoint*> open;
+    for (const UrdfJoint& joint : urdf_.joints) {
+      if (!Has(own_.joints, joint.name)) open.push_back(&joint);
+    }
+    // Each pass takes the joints whose carriers are there; URDF files are trees.
+    while (!open.empty()) {
+      std::erase_if(open, [&](const UrdfJoint* joint) {
+        const bool ready = NumberOf(joint->parent) >= 0;
+        if (ready) Take(*joint);
+        return ready;
+      });
+    }
+    for (const UrdfJoint& joint : urdf_.joints) TakeRatio(joint);
+    return std::move(taken_);
+  }
+
+ private:
+  int NumberOf(const std::string& link) const { return dockyard::NumberOf(own_, taken_, link); }
+
+  void Take(const UrdfJoint& joint) {
+    if (joint.type != "continuous" && joint.type != "revolute" && joint.type != "prismatic") {
+      throw ConfigError(joint.place + ": a " + joint.type + " joint from '" + joint.parent +
+                        "' to '" + joint.child +
+                        "' is not simulated, only continuous, revolute, prismatic and fixed ones "
+                        "are");
+    }
+    JointedLink& each = taken_.links.emplace_back();
+    each.carrier = NumberOf(joint.parent);
+    each.link = RequireInertial(urdf_, joint.child);
+    each.joint = joint.name;
+    each.X_PL = joint.X_PJ;
+    each.axis_L = joint.axis_J;
+    each.slides = joint.type == "prismatic";
+    each.damping_nms_per_rad = joint.damping_nms_per_rad;
+    each.friction_nm = joint.friction_nm;
+    if (joint.type == "continuous") return;
+    each.low_rad = joint.lower_rad;
+    each.high_rad = joint.upper_rad;
+    if (each.low_rad < each.high_rad) return;
+    throw ConfigError(joint.place + ": expected a <limit> with upper above lower");
+  }
+
+  void TakeRatio(const UrdfJoint& joint) {
+    if (joint.mimics.empty()) return;
+    const auto other =
+        std::find_if(urdf_.joints.begin(), urdf_.joints.end(),
+                     [&](const UrdfJoint& each) { return each.name == joint.mimics; });
+    if (other == urdf_.joints.end() || other->name == joint.name) {
+      throw ConfigError(joint.place +
+                        ": <mimic>: expected the name of another joint that moves, "
+                        "found '" +
+                        joint.mimics + "'");
+    }
+    taken_.ratios.push_back(
+        {NumberOf(joint.child), NumberOf(other->child), joint.mimic_ratio, joint.mimic_offset_rad});
+  }
+
+  const UrdfModel& urdf_;
+  const OwnLinks& own_;
+  JointedLinks taken_;
+};
+
+/// Refuses keys of one item of a list.
+class ItemReader {
+ public:
+  ItemReader(const YamlReader& in, const char* list, std::size_t i)
+      : item_(in.List(list, 0, 1000).items[i]), path_(YamlReader::PathOf(in.PathOf(list), i)) {}
+
+  [[noreturn]] void Refuse(const std::string& expected) const {
+    throw ConfigError(item_.place.Text() + ": " + path_ + ": expected " + expected);
+  }
+
+ private:
+  const YamlNode& item_;
+  std::string path_;
+};
+
+void Put(double value, double& variable) {
+  if (!std::isnan(value)) variable = value;
+}
+
+void TakeMotor(const ItemReader& in, const JointFile& file, JointedLink& link) {
+  const double rate = link.slides ? file.rate_m_s : file.rate_rad_s;
+  if (!file.motor) {
+    if (!std::isnan(rate)) in.Refuse("a motor with the rate");
+    return;
+  }
+  if (link.slides == std::isnan(file.lead_m_per_turn)) {
+    in.Refuse(link.slides ? "lead_m_per_turn of the slide's motor"
+                          : "no lead_m_per_turn: the joint turns");
+  }
+  JointMotor& motor = link.motor.emplace();
+  motor.model = *file.motor;
+  Put(rate, motor.rate_rad_s);
+  Put(file.lead_m_per_turn, motor.lead_m_per_turn);
+  const double shaft_rad_s =
+      link.slides ? motor.rate_rad_s * 2.0 * kPi / motor.lead_m_per_turn : motor.rate_rad_s;
+  if (std::abs(shaft_rad_s) > motor.model.max_speed_rad_s) {
+    in.Refuse("a rate of no more than motor.max_speed_rad_s");
+  }
+}
+
+void TakeKeys(const ItemReader& in, const JointFile& file, JointedLink& link) {
+  const auto any = [](std::initializer_list<double> keys) {
+    return std::any_of(keys.begin(), keys.end(), [](double key) { return !std::isnan(key); });
+  };
+  const bool of_slide = any({file.start_m, file.stop_n_per_m, file.stop_ns_per_m,
+                             file.spring_n_per_m, file.rest_m, file.rate_m_s});
+  const bool of_turn = any({file.start_rad, file.stop_nm_per_rad, file.stop_nms_per_rad,
+                            file.spring_nm_per_rad, file.rest_rad, file.rate_rad_s});
+  if (link.slides ? of_turn : of_slide) {
+    in.Refuse(link.slides ? "keys in metres: the joint slides"
+                          : "keys in degrees: the joint turns");
+  }
+  Put(link.slides ? file.start_m : file.start_rad, link.start_rad);
+  Put(link.slides ? file.stop_n_per_m : file.stop_nm_per_rad, link.stop_nm_per_rad);
+  Put(link.slides ? file.stop_ns_per_m : file.stop_nms_per_rad, link.stop_nms_per_rad);
+  Put(link.slides ? file.spring_n_per_m : file.spring_nm_per_rad, link.spring_nm_per_rad);
+  Put(link.slides ? file.rest_m : file.rest_rad, link.rest_rad);
+  if (link.start_rad < link.low_rad || link.start_rad > link.high_rad) {
+    in.Refuse("a start within the joint's limits");
+  }
+  TakeMotor(in, file, link);
+}
+
+}  // namespace
+
+void VisitJoints(Keys& keys, JointsFile& file) {
+  keys.Items(Unset("joints"), file.joints, 0, kMostJoints, VisitJoint);
+  keys.Items(Unset("pins"), file.pins, 0, kMostJoints, VisitPin);
+  keys.Mapping(Optional("link_contact"),
+               [&](Keys& in) { VisitContact(in, file.contact, Presence::kDefault); });
+}
+
+JointedLinks TakeJointedLinks(const YamlReader& in, const UrdfModel& welded, const OwnLinks& own,
+                              const JointsFile& file) {
+  for (const std::string& joint : own.joints) RequirePlain(welded.Joint(joint));
+  Taking taking(welded, own);
+  JointedLinks taken = taking.Run();
+  taken.contact = file.contact;
+  if (taken.links.size() > kMostJoints) {
+    throw ConfigError(welded.file + ": expected at most " + std::to_string(kMostJoints) +
+                      " joints that move in addition to the system's own");
+  }
+  for (std::size_t i = 0; i < file.joints.size(); ++i) {
+    const ItemReader item(in, "joints", i);
+    const auto named = [&](const JointedLink& link) { return link.joint == file.joints[i].name; };
+    const auto link = std::find_if(taken.links.begin(), taken.links.end(), named);
+    if (link == taken.links.end()) {
+      item.Refuse("the name of a joint of the URDF file that moves a further link, found '" +
+                  file.joints[i].name + "'");
+    }
+    TakeKeys(item, file.joints[i], *link);
+  }
+  const auto number_of = [&](const ItemReader& item, const std::string& name) {
+    const int link = NumberOf(own, taken, name);
+    if (link < 0) item.Refuse("the name of a link that moves, found '" + name + "'");
+    return link;
+  };
+  for (std::size_t i = 0; i < file.pins.size(); ++i) {
+    const ItemReader item(in, "pins", i);
+    LinkPin pin = file.pins[i].pin;
+    pin.a = number_of(item, file.pins[i].link);
+    pin.b = number_of(item, file.pins[i].to);
+    if (pin.a == pin.b) item.Refuse("two links");
+    taken.pins.push_back(pin);
+  }
+  return taken;
+}
+
+}  // namespace dockyard
