@@ -91,8 +91,11 @@ Stage AxelPlant::Look() const {
   stage.bodies = {{"robot", truth_.X_WR},
                   {"left_wheel", truth_.X_W_left_wheel},
                   {"right_wheel", truth_.X_W_right_wheel},
-                  {"arm", truth_.X_WA},
-                  {"station", truth_.X_WS}};
+                  {"arm", truth_.X_WA}};
+  for (std::size_t i = 0; i < truth_.further.size(); ++i) {
+    stage.bodies.push_back({built_.world.rover.further.links[i].link.name, truth_.further[i].X_WL});
+  }
+  stage.bodies.push_back({"station", truth_.X_WS});
   if (!built_.world.rocks.rocks.empty()) stage.bodies.push_back({"rocks", X_WG});
   // Scenery and what throws a shadow are posed in the world.
   if (!built_.lighting.scenery.empty()) stage.bodies.push_back({"scenery", Pose3{}});

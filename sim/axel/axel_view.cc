@@ -27,6 +27,9 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
       lighting_(std::move(lighting)),
       X_WG_(X_WG),
       texture_seed_(StreamKey(run_seed, "texture")) {
+  for (const JointedLink& each : rover.further.links) {
+    further_.push_back({each.link.name, DrawnParts(each.link.visuals)});
+  }
   // The module's drawing stands upright; the built one is tipped about the mouth's centre.
   X_S_module_ = MouthInStation(station) * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
 }
@@ -42,6 +45,9 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   AddParts(left_wheel_, truth.X_W_left_wheel, scene.objects);
   AddParts(right_wheel_, truth.X_W_right_wheel, scene.objects);
   AddParts(arm_, truth.X_WA, scene.objects);
+  for (std::size_t i = 0; i < further_.size(); ++i) {
+    AddParts(further_[i].parts, truth.further[i].X_WL, scene.objects);
+  }
   AddParts(station_, truth.X_WS * X_S_module_, scene.objects);
   AddParts(stand_, truth.X_WS, scene.objects);
   AddParts(rocks_, X_WG_, scene.objects);
@@ -63,7 +69,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
 
 StageShapes SceneBuilder::Shapes() const {
   StageShapes shapes;
-  const auto add = [&](const char* name, bool robot, const std::vector<DrawnPart>& parts,
+  const auto add = [&](const std::string& name, bool robot, const std::vector<DrawnPart>& parts,
                        const Pose3& X_OL = {}) {
     if (shapes.bodies.empty() || shapes.bodies.back().name != name) {
       shapes.bodies.push_back({name, robot, {}});
@@ -74,6 +80,7 @@ StageShapes SceneBuilder::Shapes() const {
   add("left_wheel", true, left_wheel_);
   add("right_wheel", true, right_wheel_);
   add("arm", true, arm_);
+  for (const DrawnLink& link : further_) add(link.name, true, link.parts);
   add("station", false, station_, X_S_module_);
   add("station", false, stand_);
   if (!rocks_.empty()) {

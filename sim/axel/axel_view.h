@@ -29,7 +29,13 @@ class SceneBuilder {
   StageShapes Shapes() const;
 
  private:
+  struct DrawnLink {
+    std::string name;
+    std::vector<DrawnPart> parts;
+  };
+
   std::vector<DrawnPart> body_, left_wheel_, right_wheel_, arm_, station_, stand_, rocks_;
+  std::vector<DrawnLink> further_;
   Pose3 X_S_module_, X_SB_;
   Eigen::Vector3d p_SM_, p_AT_;  // the mouth; the arm's tip
   FiducialBoard board_;

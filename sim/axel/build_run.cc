@@ -209,6 +209,12 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
                       " at the start");
   }
 
+  if (const std::string links = StartsInItself(world.rover, world.arm_start_rad); !links.empty()) {
+    throw ConfigError(scenario.start_place +
+                      ": expected links of the rover that are clear of each "
+                      "other at the start, " +
+                      links + " are not");
+  }
   CheckImagesCanBeDrawn(world.rover.stereo.nominal, scenario.camera_place);
   CheckStationHolds(scenario, world.station);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);

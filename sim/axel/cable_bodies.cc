@@ -60,6 +60,10 @@ CableTether::CableTether(const RoverModel& rover, const StationModel& station,
   AddBody(WheelBody(rover.right_wheel_soil, on_rover),
           {Carrier::kRover, RoverLink::kRightWheel, X_KB});
   AddShapes(rover.body.collisions, {Carrier::kRover, RoverLink::kBody, {}}, on_rover);
+  for (int i = kOwnLinkCount; i < LinkCount(rover); ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    AddShapes(LinkOf(rover, link).collisions, {Carrier::kRover, link, {}}, on_rover);
+  }
   // The cone's block with its hole, and the module, both in S.
   const Collision block = ConeBlock(station.cone);
   const auto& round = std::get<CylinderShape>(block.shape);

@@ -20,6 +20,21 @@ bool CrossesAxis(const Collision& collision, const Pose3& X_PM, double to_m) {
   return false;
 }
 
+// How far each link's origin can be from the body's [m].
+std::vector<double> OriginsWithin(const RoverModel& rover) {
+  const std::vector<TreeLink> links = TreeOf(rover, false).links;
+  std::vector<double> within_m;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const int carrier = links[i].parent;
+    const double carrier_m = carrier < 0 ? 0.0 : within_m[static_cast<std::size_t>(carrier)];
+    within_m.push_back(carrier_m + links[i].p_PL.norm());
+    if (i < kOwnLinkCount) continue;
+    const JointedLink& each = rover.further.links[i - kOwnLinkCount];
+    if (each.slides) within_m.back() += std::max(std::abs(each.low_rad), std::abs(each.high_rad));
+  }
+  return within_m;
+}
+
 }  // namespace
 
 const btConvexShape& ShapedObject::piece(int i) const {
@@ -38,16 +53,16 @@ double ShapedObject::reach_m() const {
 }
 
 ContactShapes::ContactShapes(const RoverModel& rover, const StationModel& station) {
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (int i = 0; i < LinkCount(rover); ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
-    ShapedObject& own = links_[Place(link)];
+    ShapedObject& own = links_.emplace_back();
     const std::vector<Collision> parts =
         link == RoverLink::kArm ? ArmCollisions(rover) : LinkOf(rover, link).collisions;
     for (const Collision& part : parts) own.Add(part, {});
   }
-  const std::vector<TreeLink> hinged = RoverLinks(rover, false);
+  const std::vector<double> origins_m = OriginsWithin(rover);
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    reach_m_ = std::max(reach_m_, hinged[i].p_PL.norm() + links_[i].reach_m());
+    reach_m_ = std::max(reach_m_, origins_m[i] + links_[i].reach_m());
   }
   station_.Add(ConeBlock(station.cone), {});
   meets_arm_.push_back(false);
@@ -76,7 +91,7 @@ void ContactShapes::AddFaces() {
 }
 
 void ContactShapes::MoveTo(const RoverBody& rover, const StationBody& station) {
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (int i = 0; i < rover.link_count(); ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     links_[Place(link)].MoveTo(rover.motion(link).X_GL);
   }

@@ -4,7 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
-#include <array>
+#include <deque>
 #include <vector>
 
 #include "sim/axel/rover_body.h"
@@ -64,7 +64,7 @@ class ContactShapes {
   static std::size_t Place(RoverLink link) { return static_cast<std::size_t>(link); }
   void AddFaces();
 
-  std::array<ShapedObject, kRoverLinkCount> links_;
+  std::deque<ShapedObject> links_;  // by RoverLink; a shape stays where it is
   ShapedObject station_;
   std::vector<bool> meets_arm_;                  // by piece
   std::vector<std::vector<StationFace>> faces_;  // by piece

@@ -28,7 +28,11 @@ ContactWorld::ContactWorld(RigidWorld& world, const RoverModel& rover_model,
       body_material_(station_model.body_contact),
       rock_material_(rover_model.rock_contact),
       mating_(station_model.cone, ArmCollisions(rover_model)),
-      module_contacts_(rover_model, station_model) {}
+      module_contacts_(rover_model, station_model) {
+  if (rover_model.further.empty()) return;
+  own_contacts_.emplace(world, rover.Place(RoverLink::kBody).body, rover_model.further,
+                        rover.places(), PartsOf(rover_model));
+}
 
 void ContactWorld::PutRocks(const RoverModel& rover, RockBed bed) {
   if (bed.rocks.empty()) return;
@@ -40,6 +44,7 @@ void ContactWorld::Step(double dt_s) {
   added_.clear();
   if (MayTouch()) FindTouches(dt_s);
   if (rock_contacts_) FindRocks();
+  if (own_contacts_) own_contacts_->AddContacts();
   world_.Step(dt_s);
   ReadContacts(dt_s);
 }

@@ -57,6 +57,7 @@ class ContactWorld {
   Mating mating_;
   ModuleContacts module_contacts_;
   std::optional<RockContacts> rock_contacts_;
+  std::optional<OwnContacts> own_contacts_;  // of further links
   std::vector<BoreContact> matings_;
   std::vector<ModuleContact> modules_;
   std::vector<RockContact> rocks_;

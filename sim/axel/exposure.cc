@@ -23,6 +23,9 @@ Truth MovedOn(const Truth& truth, double seconds) {
   };
   moved.X_W_left_wheel = wheel(truth.X_W_left_wheel, Motor::kLeftWheel);
   moved.X_W_right_wheel = wheel(truth.X_W_right_wheel, Motor::kRightWheel);
+  for (MovingLink& link : moved.further) {
+    link.X_WL = MovedOn(link.X_WL, link.v_WL_W, link.w_WL_W, seconds);
+  }
   return moved;
 }
 

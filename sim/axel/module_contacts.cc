@@ -34,7 +34,7 @@ double Distance(btCollisionAlgorithm& algorithm) {
 
 ModuleContacts::ModuleContacts(const RoverModel& rover, const StationModel& station)
     : shapes_(rover, station), dispatcher_(&configuration_) {
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (int i = 0; i < LinkCount(rover); ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     for (int a = 0; a < shapes_.link(link).pieces(); ++a) {
       for (int b = 0; b < shapes_.station().pieces(); ++b) {
@@ -42,7 +42,7 @@ ModuleContacts::ModuleContacts(const RoverModel& rover, const StationModel& stat
         pairs_.push_back({link, a, b});
       }
     }
-    last_X_ML_[i].setIdentity();
+    last_X_ML_.push_back(btTransform::getIdentity());
   }
 }
 
@@ -59,7 +59,7 @@ void ModuleContacts::Part(Pair& pair) {
 
 // Bound of the motion of any point of the link against the station since the last call.
 double ModuleContacts::MovedSinceLastStep(RoverLink link, const btTransform& X_ML) {
-  btTransform& last = last_X_ML_[static_cast<int>(link)];
+  btTransform& last = last_X_ML_[static_cast<std::size_t>(link)];
   double turned = 0.0;  // square of the Frobenius norm of the change
   for (int row = 0; row < 3; ++row) {
     turned += (X_ML.getBasis()[row] - last.getBasis()[row]).length2();

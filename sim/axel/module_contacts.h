@@ -8,7 +8,6 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
-#include <array>
 #include <vector>
 
 #include "sim/axel/contact_shapes.h"
@@ -56,8 +55,8 @@ class ModuleContacts {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDispatcherInfo info_;
-  std::vector<Pair> pairs_;  // by link
-  std::array<btTransform, kRoverLinkCount> last_X_ML_;
+  std::vector<Pair> pairs_;             // by link
+  std::vector<btTransform> last_X_ML_;  // by RoverLink
 };
 
 }  // namespace dockyard::axel

@@ -36,16 +36,22 @@ Cylinder operator*(const Pose3& X_GL, const Cylinder& cylinder) {
 RockContacts::RockContacts(const RoverModel& rover, const std::vector<Collision>& arm_parts,
                            std::vector<ConvexBody> rocks)
     : rocks_(std::move(rocks)) {
+  const auto count = static_cast<std::size_t>(LinkCount(rover));
+  shapes_.resize(count);
+  near_.resize(count);
   if (rocks_.empty()) return;
-  shapes_[static_cast<int>(RoverLink::kBody)] = ShapeOf(rover.body.collisions);
-  shapes_[static_cast<int>(RoverLink::kArm)] = ShapeOf(arm_parts);
+  shapes_[static_cast<std::size_t>(RoverLink::kBody)] = ShapeOf(rover.body.collisions);
+  shapes_[static_cast<std::size_t>(RoverLink::kArm)] = ShapeOf(arm_parts);
   const auto AddWheel = [&](RoverLink link, const WheelModel& wheel) {
-    Shape& shape = shapes_[static_cast<int>(link)];
+    Shape& shape = shapes_[static_cast<std::size_t>(link)];
     shape.wheels = {wheel};
     shape.radius_m = std::hypot(RollingRadius(wheel), 0.5 * wheel.width_m);
   };
   AddWheel(RoverLink::kLeftWheel, rover.left_wheel_soil);
   AddWheel(RoverLink::kRightWheel, rover.right_wheel_soil);
+  for (std::size_t i = kOwnLinkCount; i < count; ++i) {
+    shapes_[i] = ShapeOf(LinkOf(rover, static_cast<RoverLink>(i)).collisions);
+  }
 }
 
 // A ball counts as a cylinder as long as it is wide, a turned part as one for each of its pieces.
@@ -100,7 +106,7 @@ void RockContacts::AddContacts(const Shape& shape, const Pose3& X_GL, const Conv
 void RockContacts::Find(const RoverBody& rover, std::vector<RockContact>& contacts) {
   contacts.clear();
   if (rocks_.empty()) return;
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     const Shape& shape = shapes_[i];
     const Pose3& X_GL = rover.motion(link).X_GL;
@@ -119,8 +125,8 @@ void RockContacts::Find(const RoverBody& rover, std::vector<RockContact>& contac
       found_.clear();
       AddContacts(shape, X_GL, rocks_[rock]);
       for (const BodyContact& contact : found_) {
-        contacts.push_back(
-            {link, (rock * kRoverLinkCount + i) * kMostFeatures + contact.feature, contact});
+        const int surfaces = rock * rover.link_count() + static_cast<int>(i);
+        contacts.push_back({link, surfaces * kMostFeatures + contact.feature, contact});
       }
     }
   }
@@ -130,7 +136,7 @@ double RockContacts::Depth(RoverLink link, const Pose3& X_GL) {
   double depth_m = 0.0;
   for (const ConvexBody& rock : rocks_) {
     found_.clear();
-    AddContacts(shapes_[static_cast<int>(link)], X_GL, rock);
+    AddContacts(shapes_[static_cast<std::size_t>(link)], X_GL, rock);
     for (const BodyContact& contact : found_) depth_m = std::max(depth_m, contact.depth_m);
   }
   return depth_m;

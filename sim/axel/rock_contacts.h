@@ -1,7 +1,6 @@
 // Where the rover touches rocks: its wheels by their outline, arm and body by their shapes.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "models/axel/axel_model.h"
@@ -49,8 +48,8 @@ class RockContacts {
   void AddContacts(const Shape& shape, const Pose3& X_GL, const ConvexBody& rock);
 
   std::vector<ConvexBody> rocks_;
-  std::array<Shape, kRoverLinkCount> shapes_;
-  std::array<Near, kRoverLinkCount> near_;
+  std::vector<Shape> shapes_;  // by RoverLink
+  std::vector<Near> near_;
   std::vector<BodyContact> found_;  // of one link and rock
 };
 

@@ -28,13 +28,18 @@ RoverGround::RoverGround(const RoverModel& rover) {
     rim.radius_m = rover.tip.radius_m;
     rims_.push_back(rim);
   }
-  for (const Collision& collision : rover.body.collisions) AddShape(collision);
+  for (int i = 0; i < LinkCount(rover); ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    if (link != RoverLink::kBody && i < kOwnLinkCount) continue;
+    for (const Collision& part : LinkOf(rover, link).collisions) AddShape(link, part);
+  }
 }
 
-void RoverGround::AddShape(const Collision& collision) {
+void RoverGround::AddShape(RoverLink link, const Collision& collision) {
   const Pose3& X = collision.X_LG;
   const auto Add = [&](const Eigen::Vector3d& p_G, const Eigen::Vector3d& axis_G, double radius) {
     Rim rim;
+    rim.link = link;
     rim.p_L = X * p_G;
     rim.axis_L = X.R * axis_G;
     rim.radius_m = radius;

@@ -1,5 +1,5 @@
 // The rover's contact with the ground other than by wheels: the arm's tip when it drags, the body
-// after a tumble.
+// after a tumble, further links such as a trailer's wheels.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ class RoverGround {
     double radius_m = 0.0;
     GroundPoint contact;
   };
-  void AddShape(const Collision& collision);
+  void AddShape(RoverLink link, const Collision& collision);
   static Eigen::Vector3d LowestPoint(const Rim& rim, const Pose3& X_GL);
 
   GroundMaterial tip_material_, body_material_;

@@ -16,6 +16,8 @@ constexpr int kHalvings = 30;
 constexpr int kRolls = 4;
 // Deeper than this in a rock, arm or body would be thrown off it [m].
 constexpr double kInRock_m = 1e-3;
+// Round parts count as polygons that hold them, 2 % wider [m].
+constexpr double kInItself_m = 3e-3;
 
 // Of a wheel with its axle along this pose's y: the lowest height of its centre above the ground
 // and the rocks.
@@ -74,14 +76,34 @@ Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground) {
   return clear ? level : OnRocks(setup, ground, level);
 }
 
-const char* StartsInRock(const WorldSetup& setup) {
+std::string StartsInRock(const WorldSetup& setup) {
   if (setup.rocks.rocks.empty()) return "";
   RockContacts rocks(setup.rover, ArmCollisions(setup.rover), setup.rocks.rocks);
-  const Pose3 X_GR = RoverStart(setup, setup.ground);
-  if (rocks.Depth(RoverLink::kBody, X_GR) > kInRock_m) return "body";
-  Pose3 X_GA = X_GR;
-  X_GA.R = X_GR.R * RotY(setup.arm_start_rad);
-  return rocks.Depth(RoverLink::kArm, X_GA) > kInRock_m ? "arm" : "";
+  RigidWorld world(Eigen::Vector3d::Zero());
+  const RoverBody rover(world, setup.rover, RoverStart(setup, setup.ground), setup.arm_start_rad,
+                        false);
+  for (int i = 0; i < rover.link_count(); ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    // Wheels were put on the rocks.
+    if (link == RoverLink::kLeftWheel || link == RoverLink::kRightWheel) continue;
+    if (rocks.Depth(link, rover.motion(link).X_GL) > kInRock_m)
+      return LinkOf(setup.rover, link).name;
+  }
+  return "";
+}
+
+std::string StartsInItself(const RoverModel& rover, double arm_start_rad) {
+  if (rover.further.empty()) return "";
+  RigidWorld world(Eigen::Vector3d::Zero());
+  const RoverBody body(world, rover, {}, arm_start_rad, false);
+  OwnContacts contacts(world, body.Place(RoverLink::kBody).body, rover.further, body.places(),
+                       PartsOf(rover));
+  const auto links = contacts.FindOverlap(kInItself_m);
+  if (!links) return "";
+  const auto name = [&](int link) {
+    return "'" + LinkOf(rover, static_cast<RoverLink>(link)).name + "'";
+  };
+  return name(links->first) + " and " + name(links->second);
 }
 
 }  // namespace dockyard::axel

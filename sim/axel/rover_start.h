@@ -1,6 +1,8 @@
 // Where the rover is put down at the start of a run.
 #pragma once
 
+#include <string>
+
 #include "sim/axel/world_setup.h"
 
 namespace dockyard::axel {
@@ -9,7 +11,11 @@ namespace dockyard::axel {
 /// above a rock stands on it, and the axle then rolls.
 Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground);
 
-/// The part of the rover that a rock is in the way of at the start: "arm", "body", or none.
-const char* StartsInRock(const WorldSetup& setup);
+/// The link of the rover that a rock is in the way of at the start, such as "arm"; empty: none.
+std::string StartsInRock(const WorldSetup& setup);
+
+/// Two links of the rover that reach into each other at the start, such as "'mast' and 'arm'";
+/// empty: none.
+std::string StartsInItself(const RoverModel& rover, double arm_start_rad);
 
 }  // namespace dockyard::axel

@@ -30,6 +30,10 @@ void World::Impl::TellMotion(Truth& truth) const {
   truth.X_WA = X_WG_ * rover_.motion(RoverLink::kArm).X_GL;
   truth.X_W_left_wheel = X_WG_ * rover_.motion(RoverLink::kLeftWheel).X_GL;
   truth.X_W_right_wheel = X_WG_ * rover_.motion(RoverLink::kRightWheel).X_GL;
+  for (int i = kOwnLinkCount; i < rover_.link_count(); ++i) {
+    const LinkMotion& link = rover_.motion(static_cast<RoverLink>(i));
+    truth.further.push_back({X_WG_ * link.X_GL, X_WG_.R * link.v_GL_G, X_WG_.R * link.w_GL_G});
+  }
   truth.X_WS = X_WG_ * station_.motion().X_GL;
   truth.v_WR_W = X_WG_.R * body.v_GL_G;
   truth.w_WR_W = X_WG_.R * body.w_GL_G;

@@ -146,13 +146,14 @@ bool World::Impl::NoneFaster(double m_s, double rad_s) const {
   const auto Slow = [&](const LinkMotion& link) {
     return link.v_GL_G.squaredNorm() < m_s * m_s && link.w_GL_G.squaredNorm() < rad_s * rad_s;
   };
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (int i = 0; i < rover_.link_count(); ++i) {
     if (!Slow(rover_.motion(static_cast<RoverLink>(i)))) return false;
   }
   return Slow(station_.motion());
 }
 
 bool World::Impl::IsStill() const {
+  if (rover_.further_drives().runs()) return false;
   if (cable_ && cable_->fastest_m_s() > kStillCable_m_s) return false;
   const double slower = cable_ ? kSlowerWithCable : 1.0;
   return NoneFaster(slower * kStill_m_s, slower * kStill_rad_s) &&
@@ -171,6 +172,7 @@ void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
 void World::Impl::Move(const std::array<MotorCommand, kMotorCount>& commands) {
   const double tension = tether_tied_ ? PullTether() : 0.0;
   drives_.Step(commands, tension, setup_.step_s, rover_);
+  rover_.further_drives().Step(settled_, setup_.step_s, rover_.tree());
   RollOnSoil();
   rover_ground_.AddForces(ground_, setup_.step_s, rover_);
   station_.AddFeetForces(ground_, setup_.step_s);
@@ -236,6 +238,7 @@ std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
   hash = rigid_.StateHash(hash);
   hash = station_.StateHash(hash);
   hash = drives_.StateHash(hash);
+  hash = rover_.further_drives().StateHash(hash);
   hash = tether_.StateHash(hash);
   if (cable_) hash = cable_->StateHash(hash);
   hash = rover_ground_.StateHash(hash);

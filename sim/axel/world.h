@@ -14,10 +14,17 @@
 
 namespace dockyard::axel {
 
+/// A link as it moves, in W.
+struct MovingLink {
+  Pose3 X_WL;
+  Eigen::Vector3d v_WL_W{0, 0, 0}, w_WL_W{0, 0, 0};  // of its origin
+};
+
 /// What is true now, for scoring, plots and drawing. Never handed to a controller.
 struct Truth {
   double time_s = 0.0;
   Pose3 X_WR, X_WA, X_W_left_wheel, X_W_right_wheel, X_WS;  // body, arm, wheels, station
+  std::vector<MovingLink> further;
   Eigen::Vector3d v_WR_W = Eigen::Vector3d::Zero(), w_WR_W = Eigen::Vector3d::Zero();
   Pose3 X_DR;  // rover in the dock frame carried by the station where it is now
   Eigen::Vector3d p_MT = Eigen::Vector3d::Zero();  // arm tip in the mouth frame M: -x is depth

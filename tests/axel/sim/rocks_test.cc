@@ -41,7 +41,7 @@ struct OnRocks {
   /// Kinetic and of height.
   double Energy() const {
     double sum = 0.0;
-    for (int i = 0; i < kRoverLinkCount; ++i) {
+    for (int i = 0; i < kOwnLinkCount; ++i) {
       const RoverLink link = static_cast<RoverLink>(i);
       const LinkMotion& motion = rover->motion(link);
       const LinkModel& part = LinkOf(model, link);

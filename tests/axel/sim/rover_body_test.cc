@@ -99,7 +99,7 @@ TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities)
   speeds << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
   rover.tree().AddSpeeds(speeds);
   double energy = 0.0;
-  for (int i = 0; i < kRoverLinkCount; ++i) {
+  for (int i = 0; i < kOwnLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     const LinkModel& own = LinkOf(model, link);
     const LinkMotion& motion = rover.motion(link);

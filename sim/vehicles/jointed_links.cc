@@ -1,0 +1,151 @@
+#include "sim/vehicles/jointed_links.h"
+
+#include <cmath>
+#include <utility>
+
+namespace dockyard {
+namespace {
+
+// Without what is drawn and what touches.
+LinkModel InertialOf(const LinkModel& link) {
+  return {link.name, link.mass_kg, link.p_LoCom_L, link.I_LCom_L, {}, {}};
+}
+
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+// Of the joint, for each radian of its motor's output.
+double TravelPerRad(const JointedLink& link) {
+  return link.slides ? link.motor->lead_m_per_turn / (2.0 * kPi) : 1.0;
+}
+
+bool HasStops(const JointedLink& link) {
+  return std::isfinite(link.low_rad) || std::isfinite(link.high_rad);
+}
+
+}  // namespace
+
+TreePlaces AddJointedLinks(const JointedLinks& further, TreePlaces own,
+                           std::vector<TreeLink>& links) {
+  for (const JointedLink& each : further.links) {
+    TreeLink& link = links.emplace_back();
+    link.model = InertialOf(each.link);
+    link.parent = own[At(each.carrier)];
+    link.p_PL = each.X_PL.p;
+    link.R_PL = each.X_PL.R;
+    link.axis_L = each.axis_L;
+    link.joint = each.slides ? JointKind::kSlide : JointKind::kHinge;
+    link.damping_nms_per_rad = each.damping_nms_per_rad;
+    link.stiffness_nm_per_rad = each.spring_nm_per_rad;
+    link.rest_rad = each.rest_rad;
+    if (each.motor) {
+      const double travel = TravelPerRad(each);
+      link.rotor_kg_m2 = each.motor->model.reflected_inertia_kg_m2 / (travel * travel);
+    }
+    own.push_back(static_cast<int>(links.size()) - 1);
+  }
+  return own;
+}
+
+std::vector<JointTie> TiesOf(const JointedLinks& further, const TreePlaces& places) {
+  std::vector<JointTie> ties;
+  for (const JointRatio& ratio : further.ratios) {
+    ties.push_back({{places[At(ratio.link)], 1.0}, {places[At(ratio.other)], -ratio.ratio}});
+  }
+  return ties;
+}
+
+void SetStartAngles(const JointedLinks& further, const TreePlaces& places, TreeBody& tree) {
+  const std::size_t own = places.size() - further.links.size();
+  for (std::size_t i = 0; i < further.links.size(); ++i) {
+    tree.SetAngle(places[own + i], further.links[i].start_rad);
+  }
+  for (const JointRatio& ratio : further.ratios) {
+    const double other_rad = tree.angle_rad(places[At(ratio.other)]);
+    tree.SetAngle(places[At(ratio.link)], ratio.ratio * other_rad + ratio.offset_rad);
+  }
+}
+
+void LimitJoints(const JointedLinks& further, const TreePlaces& places, int body,
+                 RigidWorld& world) {
+  const std::size_t own = places.size() - further.links.size();
+  for (std::size_t i = 0; i < further.links.size(); ++i) {
+    const JointedLink& each = further.links[i];
+    if (!HasStops(each) && each.friction_nm == 0.0) continue;
+    world.Limit({body, places[own + i]}, {.low_rad = each.low_rad,
+                                          .high_rad = each.high_rad,
+                                          .stop_nm_per_rad = each.stop_nm_per_rad,
+                                          .stop_nms_per_rad = each.stop_nms_per_rad,
+                                          .friction_nm = each.friction_nm});
+  }
+  for (const LinkPin& pin : further.pins) {
+    const BodyLink a{body, places[At(pin.a)]}, b{body, places[At(pin.b)]};
+    const TreeBody& tree = world.body(body);
+    const Eigen::Vector3d p_G = tree.motion(a.link).X_GL * pin.p_A;
+    world.Add(PointTie{.a = a,
+                       .b = b,
+                       .p_A = pin.p_A,
+                       .p_B = Inverse(tree.motion(b.link).X_GL) * p_G,
+                       .stiffness_n_per_m = pin.stiffness_n_per_m,
+                       .damping_ns_per_m = pin.damping_ns_per_m});
+  }
+}
+
+JointDrives::JointDrives(const JointedLinks& further, const TreePlaces& places,
+                         const TreeBody& tree) {
+  const std::size_t own = places.size() - further.links.size();
+  // What a shaft turns with all other joints free, its rotor included.
+  const TreeBody::Inertia inverse = tree.MassMatrix().inverse();
+  for (std::size_t i = 0; i < further.links.size(); ++i) {
+    const JointedLink& each = further.links[i];
+    if (!each.motor) continue;
+    const double travel = TravelPerRad(each);
+    const int link = places[own + i];
+    const double inertia = travel * travel / inverse(tree.SpeedOf(link), tree.SpeedOf(link));
+    Drive& drive = drives_.emplace_back(Drive{.link = link,
+                                              .travel_per_rad = travel,
+                                              .rate_rad_s = each.motor->rate_rad_s / travel,
+                                              .low_rad = each.low_rad / travel,
+                                              .high_rad = each.high_rad / travel,
+                                              .model = each.motor->model,
+                                              .motor = MotorDrive(each.motor->model, inertia)});
+    drive.motor.ResetProfile(tree.angle_rad(link) / travel);
+  }
+}
+
+void JointDrives::Step(bool running, double step_s, TreeBody& tree) {
+  for (Drive& drive : drives_) {
+    const double angle_rad = tree.angle_rad(drive.link) / drive.travel_per_rad;
+    const double speed_rad_s = tree.rate_rad_s(drive.link) / drive.travel_per_rad;
+    MotorCommand command;
+    if (running && drive.rate_rad_s != 0.0) {
+      // It turns back where it still comes to rest before the stop.
+      const double slope = drive.model.max_accel_rad_s2;
+      const double margin_rad = drive.rate_rad_s * drive.rate_rad_s / (2.0 * slope);
+      if (angle_rad > drive.high_rad - margin_rad) drive.rate_rad_s = -std::abs(drive.rate_rad_s);
+      if (angle_rad < drive.low_rad + margin_rad) drive.rate_rad_s = std::abs(drive.rate_rad_s);
+      command = {.mode = MotorMode::kVelocity,
+                 .target = drive.rate_rad_s,
+                 .accel_rad_s2 = slope,
+                 .current_limit_a = drive.model.max_current_a};
+    }
+    const DriveOutput output = drive.motor.Step(command, angle_rad, speed_rad_s, step_s);
+    tree.AddJointTorque(drive.link, output.torque_nm() / drive.travel_per_rad);
+  }
+}
+
+bool JointDrives::runs() const {
+  for (const Drive& drive : drives_) {
+    if (drive.rate_rad_s != 0.0) return true;
+  }
+  return false;
+}
+
+std::uint64_t JointDrives::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = seed;
+  for (const Drive& drive : drives_) {
+    hash = drive.motor.StateHash(HashDouble(hash, drive.rate_rad_s));
+  }
+  return hash;
+}
+
+}  // namespace dockyard
