@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "models/read/config_error.h"
+#include "models/read/convex_pieces.h"
 #include "models/read/urdf_inertia.h"
 #include "models/read/yaml_reader.h"
 
@@ -138,25 +138,50 @@ Visual UrdfParts::ReadVisual(const urdf::Visual& in, const std::string& place) {
   return visual;
 }
 
-Collision UrdfParts::ReadCollision(const urdf::Collision& in, const std::string& place) {
+void UrdfParts::AddHulls(const Collision& collision, const TriangleMesh& mesh,
+                         const std::string& place, std::vector<Collision>& collisions) {
+  const auto add = [&](const std::vector<Eigen::Vector3d>& corners) {
+    collisions.push_back(collision);
+    collisions.back().shape = HullShape{corners};
+    Spend(corners.size(), place);
+  };
+  if (IsConvex(mesh)) return add(mesh.vertices);
+  if (mesh.triangles.size() <= kMostPartedTriangles) {
+    const auto pieces = ConvexPieces(mesh);
+    for (const std::vector<Eigen::Vector3d>& piece : pieces) add(piece);
+    if (pieces.size() > 1) return;
+  } else {
+    add(mesh.vertices);
+  }
+  warnings_.push_back(place + ": collision: a mesh with hollows and " +
+                      std::to_string(mesh.triangles.size()) +
+                      " triangles: its convex hull counts; its hollows do if it is a closed "
+                      "surface of at most " +
+                      std::to_string(kMostPartedTriangles) + " triangles");
+}
+
+void UrdfParts::ReadCollision(const urdf::Collision& in, const std::string& place,
+                              std::vector<Collision>& collisions) {
   if (!in.geometry) Refuse(place, "collision: expected a <geometry>, found none");
   CheckShape(*in.geometry, place);
   Collision collision;
   collision.name = in.name;
   collision.X_LG = ToPose(in.origin, place, "collision");
   const urdf::Geometry& geometry = *in.geometry;
+  if (geometry.type == urdf::Geometry::MESH) {
+    return AddHulls(collision, *ReadMesh(geometry, place), place, collisions);
+  }
   if (geometry.type == urdf::Geometry::BOX) {
     const auto& box = static_cast<const urdf::Box&>(geometry);
     collision.shape = BoxShape{{box.dim.x, box.dim.y, box.dim.z}};
   } else if (geometry.type == urdf::Geometry::CYLINDER) {
     const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
     collision.shape = CylinderShape{cylinder.radius, cylinder.length};
-  } else if (geometry.type == urdf::Geometry::SPHERE) {
-    collision.shape = SphereShape{static_cast<const urdf::Sphere&>(geometry).radius};
   } else {
-    collision.shape = HullShape{ReadMesh(geometry, place)->vertices};
+    collision.shape = SphereShape{static_cast<const urdf::Sphere&>(geometry).radius};
   }
-  return collision;
+  collisions.push_back(collision);
+  Spend(0, place);
 }
 
 void UrdfParts::Spend(std::size_t corners, const std::string& place) {
@@ -188,9 +213,7 @@ LinkModel UrdfParts::ReadLink(const urdf::Link& in, const TiXmlElement& element)
   }
   for (std::size_t i = 0; i < std::min(collisions.size(), in.collision_array.size()); ++i) {
     read(*collisions[i], [&](const std::string& place) {
-      link.collisions.push_back(ReadCollision(*in.collision_array[i], place));
-      const auto* hull = std::get_if<HullShape>(&link.collisions.back().shape);
-      Spend(hull == nullptr ? 0 : hull->points.size(), place);
+      ReadCollision(*in.collision_array[i], place, link.collisions);
     });
   }
   return link;

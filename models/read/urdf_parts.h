@@ -32,7 +32,11 @@ class UrdfParts {
   void ReadInertial(const urdf::Inertial& in, const TiXmlElement& element, const std::string& place,
                     LinkModel& link);
   Visual ReadVisual(const urdf::Visual& in, const std::string& place);
-  Collision ReadCollision(const urdf::Collision& in, const std::string& place);
+  /// A mesh with hollows becomes several.
+  void ReadCollision(const urdf::Collision& in, const std::string& place,
+                     std::vector<Collision>& collisions);
+  void AddHulls(const Collision& collision, const TriangleMesh& mesh, const std::string& place,
+                std::vector<Collision>& collisions);
   Mesh ReadMesh(const urdf::Geometry& geometry, const std::string& place);
   void Spend(std::size_t corners, const std::string& place);
 

@@ -25,7 +25,7 @@ set(rooms
   "controller/<system>/nominal|the nominal parameters that a controller is told|${contract}|controller/<system>/nominal/"
   "controller/<system>|a system's controllers|${contract}|controller/(imaging|vision|motion|stereo|tracking|<system>)/"
   "models/parts|what things are: links, motors, wheels, cameras, soil|${contract}|models/parts/"
-  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|nlohmann/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
+  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|bullet/HACD/|nlohmann/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|openssl/|${os}"
