@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
+#include "rigid/drawn_trees.h"
 #include "rigid/principal_inertia.h"
-#include "sim/base/random.h"
 #include "sim/rigid/bullet_math.h"
 
 namespace dockyard {
@@ -18,33 +18,6 @@ using Eigen::Vector3d;
 
 constexpr double kStep_s = 1e-3;
 const Vector3d kGravity(0.0, 0.0, -9.81);
-
-Vector3d AnyVector(RandomStream& random, double most) {
-  return {random.Uniform(-most, most), random.Uniform(-most, most), random.Uniform(-most, most)};
-}
-
-LinkModel AnyLink(RandomStream& random) {
-  LinkModel link;
-  link.mass_kg = random.Uniform(0.3, 5.0);
-  link.p_LoCom_L = AnyVector(random, 0.2);
-  const Vector3d size(random.Uniform(0.1, 0.5), random.Uniform(0.1, 0.5), random.Uniform(0.1, 0.5));
-  const Vector3d moments =
-      link.mass_kg / 12.0 *
-      Vector3d(size.y() * size.y() + size.z() * size.z(), size.z() * size.z() + size.x() * size.x(),
-               size.x() * size.x() + size.y() * size.y());
-  const Eigen::Matrix3d R = ToRotation({random.Uniform(-1, 1), 0.3, random.Uniform(-1, 1)});
-  link.I_LCom_L = R * moments.asDiagonal() * R.transpose();
-  return link;
-}
-
-std::vector<TreeLink> AnyTree(RandomStream& random, int count) {
-  std::vector<TreeLink> links{{AnyLink(random)}};
-  for (int i = 1; i < count; ++i) {
-    links.push_back({AnyLink(random), static_cast<int>(random.Uniform(0.0, i - 0.01)),
-                     AnyVector(random, 0.4), AnyVector(random, 1.0).normalized(), 0.0});
-  }
-  return links;
-}
 
 /// The same tree as a body of Bullet's.
 class BulletTree {
@@ -177,12 +150,7 @@ TEST(TreeBody, MovesAsBulletsArticulatedBodyWithAllKindsOfJoints) {
   double furthest = 0.0;
   for (int tree = 0; tree < 6; ++tree) {
     const int count = 6 + tree;
-    std::vector<TreeLink> links = AnyTree(random, count);
-    for (int i = 1; i < count; ++i) {
-      TreeLink& link = links[static_cast<std::size_t>(i)];
-      link.joint = static_cast<JointKind>((i + tree) % 3);
-      link.R_PL = ToRotation({random.Uniform(-1, 1), 0.4, random.Uniform(-1, 1)});
-    }
+    const std::vector<TreeLink> links = AnyTreeOfAllJoints(random, count, tree);
     const bool fixed = tree % 2 == 1;
     TreeBody ours(links, {}, {}, {.base = fixed ? TreeBase::kFixed : TreeBase::kFree});
     BulletTree bullets(links, fixed);

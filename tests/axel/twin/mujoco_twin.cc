@@ -2,32 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "axel/twin/twin_parts.h"
 
 namespace dockyard::axel {
 namespace {
-
-std::string Text(const Eigen::Vector3d& v) {
-  std::ostringstream out;
-  out.precision(17);
-  out << v.x() << ' ' << v.y() << ' ' << v.z();
-  return out.str();
-}
-
-std::string Inertial(const LinkModel& link) {
-  const Eigen::Matrix3d& I = link.I_LCom_L;
-  std::ostringstream out;
-  out.precision(17);
-  out << "<inertial pos=\"" << Text(link.p_LoCom_L) << "\" mass=\"" << link.mass_kg
-      << "\" fullinertia=\"" << I(0, 0) << ' ' << I(1, 1) << ' ' << I(2, 2) << ' ' << I(0, 1) << ' '
-      << I(0, 2) << ' ' << I(1, 2) << "\"/>\n";
-  return out.str();
-}
 
 std::string Hinge(const MotorModel& motor) {
   std::ostringstream out;
@@ -41,8 +22,8 @@ std::string Wheel(const char* name, const LinkModel& link, const WheelModel& whe
                   const Eigen::Vector3d& p_R, const MotorModel& motor, bool touches) {
   std::ostringstream out;
   out.precision(17);
-  out << "<body name=\"" << name << "\" pos=\"" << Text(p_R) << "\">\n"
-      << Hinge(motor) << Inertial(link);
+  out << "<body name=\"" << name << "\" pos=\"" << MjcfNumbers(p_R) << "\">\n"
+      << Hinge(motor) << MjcfInertial(link);
   if (touches) {
     out << "<geom type=\"cylinder\" size=\"" << wheel.rim_radius_m << ' ' << 0.5 * wheel.width_m
         << "\" euler=\"1.5707963267948966 0 0\"/>\n";
@@ -75,30 +56,16 @@ std::string MakeXml(const WorldSetup& setup, double friction, double gravity,
     const Pose3 X_GS = FromGround(setup.X_GD, 0.0);
     xml << ConeBody(setup.station.cone, X_GS * MouthInStation(setup.station));
   }
-  xml << "<body name=\"body\"><freejoint/>\n" << Inertial(rover.body);
+  xml << "<body name=\"body\"><freejoint/>\n" << MjcfInertial(rover.body);
   xml << Wheel("left", rover.left_wheel, rover.left_wheel_soil, rover.p_R_left_wheel,
                rover.motors[0], ground);
   xml << Wheel("right", rover.right_wheel, rover.right_wheel_soil, rover.p_R_right_wheel,
                rover.motors[1], ground);
   xml << "<body name=\"arm\">\n"
-      << Hinge(rover.motors[2]) << Inertial(rover.arm) << (around.cone ? ArmGeoms(rover) : "")
+      << Hinge(rover.motors[2]) << MjcfInertial(rover.arm) << (around.cone ? ArmGeoms(rover) : "")
       << "</body>\n";
   xml << "</body></worldbody></mujoco>\n";
   return xml.str();
-}
-
-mjModel* Load(const std::string& xml) {
-  const char* name = "twin.xml";
-  auto vfs = std::make_unique<mjVFS>();
-  mj_defaultVFS(vfs.get());
-  mj_makeEmptyFileVFS(vfs.get(), name, static_cast<int>(xml.size()));
-  // The file has a size; it needs no null. NOLINTNEXTLINE(bugprone-not-null-terminated-result)
-  std::memcpy(vfs->filedata[mj_findFileVFS(vfs.get(), name)], xml.data(), xml.size());
-  std::array<char, 1000> error{};
-  mjModel* model = mj_loadXML(name, vfs.get(), error.data(), static_cast<int>(error.size()));
-  mj_deleteVFS(vfs.get());
-  if (model == nullptr) throw std::runtime_error(std::string("MuJoCo: ") + error.data());
-  return model;
 }
 
 // Servo and bristles as stiff as in our world; the inertias are the drive train's.
@@ -114,7 +81,7 @@ MotorDrive MakeDrive(const RoverModel& rover, const LinkModel& link, int motor) 
 
 MujocoTwin::MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2,
                        const TwinSurroundings& surroundings)
-    : model_(Load(MakeXml(setup, ground_friction, gravity_m_s2, surroundings))),
+    : model_(LoadMujoco(MakeXml(setup, ground_friction, gravity_m_s2, surroundings))),
       data_(mj_makeData(model_.get())),
       rover_(setup.rover),
       drives_{MakeDrive(rover_, rover_.left_wheel, 0), MakeDrive(rover_, rover_.right_wheel, 1),

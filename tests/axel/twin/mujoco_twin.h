@@ -3,13 +3,11 @@
 // the benchmark only; it shares only the models and the motors' drives (no Bullet, no soil).
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <array>
-#include <memory>
 
 #include "sim/axel/world.h"
 #include "sim/drives/motor_drive.h"
+#include "support/mujoco_model.h"
 
 namespace dockyard::axel {
 
@@ -50,14 +48,8 @@ class MujocoTwin {
  private:
   void Pull();
 
-  struct FreeModel {
-    void operator()(mjModel* model) const { mj_deleteModel(model); }
-  };
-  struct FreeData {
-    void operator()(mjData* data) const { mj_deleteData(data); }
-  };
-  std::unique_ptr<mjModel, FreeModel> model_;
-  std::unique_ptr<mjData, FreeData> data_;
+  MujocoModel model_;
+  MujocoData data_;
   RoverModel rover_;
   Eigen::Vector3d anchor_G_;
   std::array<MotorDrive, kMotorCount> drives_;
