@@ -11,11 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-class WorldBalls : public testing::TestWithParam<double> {
- protected:
-  double step_s() const { return GetParam(); }
-  long StepsIn(double seconds) const { return std::lround(seconds / step_s()); }
-};
+class WorldBalls : public AtStep {};
 INSTANTIATE_TEST_SUITE_P(Steps, WorldBalls, testing::Values(0.5e-3, 1e-3, 2e-3));
 
 constexpr double g = kEarthGravity_m_s2;
@@ -29,8 +25,7 @@ TEST_P(WorldBalls, BallRollsInABowlAtItsFrequency) {
   world.Add(FreeBody(
       TurningModel(mass_kg, moment, moment),
       Pose3::Translation(away_m * std::sin(swing_rad), 0.0, -away_m * std::cos(swing_rad))));
-  std::vector<double> passes_s;
-  double last_m = 1.0;
+  UpwardPasses passes;
   for (long i = 0; i < StepsIn(8.0); ++i) {
     const Vector3d p_G = world.body(0).motion(0).X_GL.p, normal_G = -p_G.normalized();
     world.AddContact({.a = {0, 0},
@@ -39,15 +34,10 @@ TEST_P(WorldBalls, BallRollsInABowlAtItsFrequency) {
                       .gap_m = away_m - p_G.norm(),
                       .material = {1e6, 500.0, 0.8, 0.0}});
     world.Step(step_s());
-    const double x_m = world.body(0).motion(0).X_GL.p.x();
-    if (last_m < 0.0 && x_m >= 0.0) {
-      passes_s.push_back(step_s() * (static_cast<double>(i) - last_m / (x_m - last_m)));
-    }
-    last_m = x_m;
+    passes.Take(step_s() * static_cast<double>(i), world.body(0).motion(0).X_GL.p.x());
   }
-  ASSERT_GE(passes_s.size(), 4u);
-  const double period_s =
-      (passes_s.back() - passes_s.front()) / static_cast<double>(passes_s.size() - 1);
+  ASSERT_GE(passes.count(), 4u);
+  const double period_s = passes.Period();
   const double wanted_s = 2.0 * kPi * std::sqrt(1.4 * away_m / g);
   RecordProperty("off_share", std::to_string(period_s / wanted_s - 1.0));
   EXPECT_NEAR(period_s, wanted_s, 0.01 * wanted_s);

@@ -5,18 +5,13 @@
 #include <cmath>
 
 #include "rigid/world_scenes.h"
-#include "sim/rigid/body_contact.h"
 
 namespace dockyard {
 namespace {
 
 using Eigen::Vector3d;
 
-class WorldContacts : public testing::TestWithParam<double> {
- protected:
-  double step_s() const { return GetParam(); }
-  long StepsIn(double seconds) const { return std::lround(seconds / step_s()); }
-};
+class WorldContacts : public AtStep {};
 INSTANTIATE_TEST_SUITE_P(Steps, WorldContacts, testing::Values(0.5e-3, 1e-3, 2e-3));
 
 constexpr double g = kEarthGravity_m_s2;
@@ -73,56 +68,13 @@ TEST_P(WorldContacts, StackOfBoxesRestsAndBearsItsWeight) {
   RecordProperty("creep_nm", std::to_string(1e9 * creep_m));
   RecordProperty("sweeps", world.sweeps());
   // Each contact yields by its share of the weight above.
-  EXPECT_NEAR(world.body(0).motion(0).X_GL.p.z(), 0.05 - boxes * g / (4.0 * 1e5), 1e-6);
-}
-
-// Pulled level at its axle it leaves the ground at W sqrt(r^2 - (r - h)^2) / (r - h).
-TEST_P(WorldContacts, WheelClimbsAStepByItsThresholdForce) {
-  const double radius_m = 0.15, height_m = 0.05, mass_kg = 4.0;
-  const double up_m = radius_m - height_m;
-  const double ahead_m = std::sqrt(radius_m * radius_m - up_m * up_m);
-  const ContactMaterial material{2e5, 500.0, 1.0, 0.0};
-  std::vector<Vector3d> corners;
-  for (int i = 0; i < 8; ++i) {
-    corners.emplace_back(i & 1 ? 1.0 : 0.0, i & 2 ? 0.3 : -0.3, i & 4 ? height_m : 0.0);
+  double height_m = 0.05, off_m = 0.0;
+  for (int i = 0; i < boxes; ++i, height_m += 0.1) {
+    height_m -= (boxes - i) * g / (4.0 * 1e5);
+    off_m = std::max(off_m, std::abs(world.body(i).motion(0).X_GL.p.z() - height_m));
   }
-  const ConvexBody block = HullOf(corners);
-  for (const double share : {0.99, 1.01}) {
-    RigidWorld world(kDown);
-    const double moment = 0.5 * mass_kg * radius_m * radius_m;
-    world.Add(FreeBody(TurningModel(mass_kg, moment, 0.5 * moment),
-                       {RotX(0.5 * kPi), Vector3d(-ahead_m, 0.0, radius_m)}));
-    double highest_m = 0.0;
-    for (long i = 0; i < StepsIn(3.0); ++i) {
-      const Pose3 X_GL = world.body(0).motion(0).X_GL;
-      std::vector<BodyContact> found;
-      AddCylinderContacts(block, {X_GL.p, X_GL.R.col(2), radius_m, 0.05}, 0, found);
-      for (const BodyContact& at : found) {
-        world.AddContact({.a = {0, 0},
-                          .pair = at.feature,
-                          .p_G = at.p,
-                          .normal_G = at.normal,
-                          .gap_m = -at.depth_m,
-                          .share = at.share,
-                          .material = material});
-      }
-      for (const double side_m : {-0.05, 0.05}) {
-        const Vector3d p_G = X_GL.p + side_m * X_GL.R.col(2) - radius_m * Vector3d::UnitZ();
-        world.AddContact({.a = {0, 0},
-                          .pair = side_m < 0.0 ? -1 : -2,
-                          .p_G = p_G,
-                          .gap_m = p_G.z(),
-                          .material = material});
-      }
-      // Pulled up to the force within the first second.
-      const double pull_n =
-          share * std::min(1.0, step_s() * static_cast<double>(i)) * mass_kg * g * ahead_m / up_m;
-      world.body(0).AddForce(0, pull_n * Vector3d::UnitX(), X_GL.p);
-      world.Step(step_s());
-      highest_m = std::max(highest_m, world.body(0).motion(0).X_GL.p.z() - radius_m);
-    }
-    EXPECT_EQ(highest_m > 0.03, share > 1.0) << share << " " << highest_m;
-  }
+  RecordProperty("height_off_nm", std::to_string(1e9 * off_m));
+  EXPECT_LT(off_m, 1e-6);
 }
 
 // Half its width over half its height.
@@ -139,6 +91,28 @@ TEST_P(WorldContacts, BoxTipsOverOnARampAtItsAngle) {
     }
     EXPECT_EQ(world.body(0).motion(0).X_GL.R(2, 2) < 0.9, share > 1.0) << share;
   }
+}
+
+// Where friction holds less than the slope at which it tips, it slides, at g (sin - mu cos).
+TEST_P(WorldContacts, BoxSlidesOnARampBeforeItTips) {
+  const double friction = 0.3, slope_rad = std::atan(0.45), seconds = 1.0;  // 0.5: it would tip
+  const Vector3d size_m(0.2, 0.2, 0.4);
+  RigidWorld world(kDown);
+  world.Add(FreeBody(BoxModel(3.0, size_m), Pose3::Translation(0.0, 0.0, 0.2)));
+  const auto Slide = [&](double for_s) {
+    for (long i = 0; i < StepsIn(for_s); ++i) {
+      AddCorners(world, 0, size_m, -1, 0.0, {1e6, 2e3, friction, 0.0});
+      world.Step(step_s());
+    }
+  };
+  Slide(1.0);  // settles
+  world.SetGravity(g * Vector3d(std::sin(slope_rad), 0.0, -std::cos(slope_rad)));
+  Slide(seconds);
+  const double wanted_m_s = seconds * g * (std::sin(slope_rad) - friction * std::cos(slope_rad));
+  const LinkMotion& box = world.body(0).motion(0);
+  RecordProperty("off_share", std::to_string(box.v_GL_G.x() / wanted_m_s - 1.0));
+  EXPECT_NEAR(box.v_GL_G.x(), wanted_m_s, 0.01 * wanted_m_s);
+  EXPECT_GT(box.X_GL.R(2, 2), 0.9999);
 }
 
 // Two jaws of one tree, pressed on each other by their slides.

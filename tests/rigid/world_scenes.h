@@ -1,13 +1,23 @@
 // Bodies for tests of RigidWorld.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "models/parts/gravity.h"
 #include "sim/rigid/rigid_world.h"
 
 namespace dockyard {
+
+/// A test at a step length [s].
+class AtStep : public testing::TestWithParam<double> {
+ protected:
+  double step_s() const { return GetParam(); }
+  long StepsIn(double seconds) const { return std::lround(seconds / step_s()); }
+};
 
 inline const Eigen::Vector3d kDown(0.0, 0.0, -kEarthGravity_m_s2);
 
@@ -60,6 +70,27 @@ inline void SetSpeeds(TreeBody& body, const std::vector<double>& speeds) {
   }
   body.AddSpeeds(change);
 }
+
+/// When a value passes zero upwards: between two steps by the line between both.
+class UpwardPasses {
+ public:
+  void Take(double time_s, double value) {
+    if (last_ < 0.0 && value >= 0.0) {
+      passes_s_.push_back(time_s - (time_s - last_s_) * value / (value - last_));
+    }
+    last_ = value;
+    last_s_ = time_s;
+  }
+  std::size_t count() const { return passes_s_.size(); }
+  /// From the first to the last pass; of two at least.
+  double Period() const {
+    return (passes_s_.back() - passes_s_.front()) / static_cast<double>(passes_s_.size() - 1);
+  }
+
+ private:
+  double last_ = 0.0, last_s_ = 0.0;
+  std::vector<double> passes_s_;
+};
 
 /// Runge and Kutta's fourth order, in steps of 0.1 ms.
 template <class State, class Rate>
