@@ -1,5 +1,5 @@
 // Our contacts against MuJoCo's. MuJoCo's are soft by a time constant, and friction there is a
-// velocity that decays, so what rests on a slope creeps; ours bends like a spring and holds.
+// velocity that decays, so a box creeps down a slope; ours bends like a spring and holds.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -139,8 +139,8 @@ TEST(MujocoContacts, BoxOnASlopeCreepsInMujocoAlone) {
   }
 }
 
-// Above mu ours slides at g (slope - mu) on the ground. MuJoCo's solver may trade sliding for
-// lifting, so its box hops, and has another speed whenever it is in the air.
+// Above mu ours slides at g (slope - mu) on the ground. MuJoCo's convex model of friction couples
+// sliding with lifting, so its box hops, and no friction holds it in the air.
 TEST(MujocoContacts, BoxThatSlidesHopsInMujocoAlone) {
   const double slope = 0.48;
   Boxes boxes(1);
@@ -162,32 +162,44 @@ TEST(MujocoContacts, BoxThatSlidesHopsInMujocoAlone) {
   RecordProperty("hop_mm", std::to_string(1e3 * hop_m));
 }
 
-// Each interface bears the weight above. MuJoCo's stack does not come to rest within 2 s.
+// Each interface bears the weight above. MuJoCo's stack rocks by micrometres, as its search finds
+// 20 to 26 points where boxes touch, from step to step; its forces waver, and are right in the
+// mean.
 TEST(MujocoContacts, StackBearsItsWeightInBothAndRestsInOurs) {
-  const int count = 5;
-  Boxes boxes(count);
+  constexpr int kCount = 5, kSteps = 1000;
+  Boxes boxes(kCount);
   boxes.Run(2.0);
-  std::array<Vector3d, count> ours, theirs;
-  for (int i = 0; i < count; ++i) {
-    const std::size_t box = static_cast<std::size_t>(i);
-    ours[box] = boxes.OurPlace(i);
-    theirs[box] = boxes.TheirPlace(i);
-    const double above_n = (count - i) * kBox_kg * kEarthGravity_m_s2;
-    EXPECT_NEAR(boxes.OurForce(i), above_n, 1e-6 * above_n) << i;
-    EXPECT_NEAR(boxes.TheirForce(i), above_n, 0.02 * above_n) << i;
+  std::array<Vector3d, kCount> ours, theirs;
+  std::array<double, kCount> their_mean_n{};
+  for (int i = 0; i < kCount; ++i) {
+    ours[static_cast<std::size_t>(i)] = boxes.OurPlace(i);
+    theirs[static_cast<std::size_t>(i)] = boxes.TheirPlace(i);
   }
-  boxes.Run(1.0);
-  double our_creep_m = 0.0, their_creep_m = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const std::size_t box = static_cast<std::size_t>(i);
-    our_creep_m = std::max(our_creep_m, (boxes.OurPlace(i) - ours[box]).norm());
-    their_creep_m = std::max(their_creep_m, (boxes.TheirPlace(i) - theirs[box]).norm());
+  double our_motion_m = 0.0, their_motion_m = 0.0, our_off = 0.0, their_off = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    boxes.Run(kBoxStep_s);
+    for (int i = 0; i < kCount; ++i) {
+      const std::size_t box = static_cast<std::size_t>(i);
+      const double above_n = (kCount - i) * kBox_kg * kEarthGravity_m_s2;
+      our_motion_m = std::max(our_motion_m, (boxes.OurPlace(i) - ours[box]).norm());
+      their_motion_m = std::max(their_motion_m, (boxes.TheirPlace(i) - theirs[box]).norm());
+      our_off = std::max(our_off, std::abs(boxes.OurForce(i) / above_n - 1.0));
+      their_off = std::max(their_off, std::abs(boxes.TheirForce(i) / above_n - 1.0));
+      their_mean_n[box] += boxes.TheirForce(i) / kSteps;
+    }
   }
-  RecordProperty("our_creep_nm", std::to_string(1e9 * our_creep_m));
-  RecordProperty("their_creep_nm", std::to_string(1e9 * their_creep_m));
-  EXPECT_LT(our_creep_m, 1e-9);
-  EXPECT_LT(their_creep_m, 1e-5);
-  EXPECT_GT(their_creep_m, 1e-7);
+  for (int i = 0; i < kCount; ++i) {
+    const double above_n = (kCount - i) * kBox_kg * kEarthGravity_m_s2;
+    EXPECT_NEAR(their_mean_n[static_cast<std::size_t>(i)], above_n, 0.01 * above_n) << i;
+  }
+  RecordProperty("our_motion_nm", std::to_string(1e9 * our_motion_m));
+  RecordProperty("their_motion_nm", std::to_string(1e9 * their_motion_m));
+  RecordProperty("our_off_1e9", std::to_string(1e9 * our_off));
+  RecordProperty("their_off", std::to_string(their_off));
+  EXPECT_LT(our_motion_m, 1e-9);
+  EXPECT_LT(our_off, 1e-6);
+  EXPECT_LT(their_motion_m, 1e-4);
+  EXPECT_GT(their_motion_m, 1e-7);
 }
 
 }  // namespace
