@@ -40,31 +40,34 @@ std::vector<StarBody::Triangle> IcosahedronFaces() {
   return faces;
 }
 
-// Whether a direction lies in the cone of a triangle of directions; the smallest of its three
-// shares, >= 0 within.
-double LeastShare(const StarBody& body, const StarBody::Triangle& t, const Vector3d& direction) {
-  double least = 1e9;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3d& a = body.directions[t[i]];
-    const Vector3d& b = body.directions[t[(i + 1) % 3]];
-    least = std::min(least, a.cross(b).normalized().dot(direction));
+// Of the icosahedron's equal faces that one has a direction in it whose middle is nearest.
+std::size_t FaceIn(const StarBody& body, const Vector3d& direction) {
+  std::size_t at = 0;
+  double best = -1e9;
+  for (std::size_t i = 0; i < body.levels.front().size(); ++i) {
+    const StarBody::Triangle& t = body.levels.front()[i];
+    const double here =
+        (body.directions[t[0]] + body.directions[t[1]] + body.directions[t[2]]).dot(direction);
+    if (here <= best) continue;
+    best = here;
+    at = i;
   }
-  return least;
+  return at;
 }
 
-// The triangle of the finest level in this direction.
+// The triangle of the finest level in this direction. The planes that part a triangle from its
+// three corners are the sides of its middle child.
 const StarBody::Triangle& TriangleIn(const StarBody& body, const Vector3d& direction) {
-  std::size_t at = 0;
-  for (std::size_t level = 0; level < body.levels.size(); ++level) {
-    const std::size_t first = level == 0 ? 0 : 4 * at, count = level == 0 ? 20 : 4;
-    double best = -1e9;
-    for (std::size_t i = first; i < first + count; ++i) {
-      const double share = LeastShare(body, body.levels[level][i], direction);
-      if (share > best) {
-        best = share;
-        at = i;
-      }
-    }
+  std::size_t at = FaceIn(body, direction);
+  for (std::size_t level = 1; level < body.levels.size(); ++level) {
+    const StarBody::Triangle& middle = body.levels[level][4 * at + 3];
+    const Vector3d &ab = body.directions[middle[0]], &bc = body.directions[middle[1]],
+                   &ca = body.directions[middle[2]];
+    const std::size_t child = ab.cross(ca).dot(direction) > 0.0   ? 0
+                              : bc.cross(ab).dot(direction) > 0.0 ? 1
+                              : ca.cross(bc).dot(direction) > 0.0 ? 2
+                                                                  : 3;
+    at = 4 * at + child;
   }
   return body.triangles()[at];
 }
