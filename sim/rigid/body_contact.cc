@@ -127,6 +127,56 @@ bool IsApart(const ConvexBody& body, const Cylinder& cylinder) {
   return false;
 }
 
+// Two faces are on opposite sides if their normals are further apart than 120 deg.
+constexpr double kOpposite = -0.5;
+
+// How far the body's points reach behind a face.
+double ReachBehind(const HalfSpace& face, const ConvexBody& body) {
+  double reach_m = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& p : body.vertices) {
+    reach_m = std::max(reach_m, face.offset_m - face.normal.dot(p));
+  }
+  return reach_m;
+}
+
+// The body's faces on its far side from a part: the part reaches out of the body behind them, and
+// behind a face on the opposite side it does not. Empty: there are none.
+std::vector<bool> FarFaces(const ConvexBody& body, const ConvexBody& part) {
+  std::vector<bool> through;
+  for (const HalfSpace& face : body.faces) {
+    through.push_back(ReachBehind(face, part) >= ReachBehind(face, body));
+  }
+  std::vector<bool> far(through.size());
+  bool any = false;
+  for (std::size_t i = 0; i < through.size(); ++i) {
+    for (std::size_t k = 0; k < through.size() && through[i] && !far[i]; ++k) {
+      far[i] = !through[k] && body.faces[i].normal.dot(body.faces[k].normal) < kOpposite;
+    }
+    any = any || far[i];
+  }
+  if (!any) far.clear();
+  return far;
+}
+
+// A part's edges in a body. Its far faces are searched once an edge meets it.
+class EdgesIn {
+ public:
+  EdgesIn(const ConvexBody& body, const ConvexBody& part) : body_(body), part_(part) {}
+
+  std::optional<PressedEdge> Press(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const std::optional<PressedEdge> in = PressEdge(body_, a, b);
+    if (!in || in->depth_m <= 0.0) return std::nullopt;
+    if (!known_) far_ = FarFaces(body_, part_);
+    known_ = true;
+    return far_.empty() ? in : PressEdge(body_, a, b, far_);
+  }
+
+ private:
+  const ConvexBody &body_, &part_;
+  std::vector<bool> far_;
+  bool known_ = false;
+};
+
 }  // namespace
 
 void AddCylinderContacts(const ConvexBody& body, const Cylinder& cylinder, int feature,
@@ -196,20 +246,19 @@ void AddHullContacts(const ConvexBody& body, const ConvexBody& part, int feature
                      std::vector<BodyContact>& contacts) {
   const double reach_m = body.radius_m + part.radius_m;
   if ((body.centre - part.centre).squaredNorm() > reach_m * reach_m) return;
+  EdgesIn in_body(body, part), in_part(part, body);
   for (const auto& edge : part.edges) {
     const Eigen::Vector3d &a = part.vertices[edge[0]], &b = part.vertices[edge[1]];
-    const std::optional<PressedEdge> in = PressEdge(body, a, b);
-    if (in && in->depth_m > 0.0) {
+    if (const std::optional<PressedEdge> in = in_body.Press(a, b)) {
       contacts.push_back({feature, a + in->deepest * (b - a), in->normal, in->depth_m, 1.0});
     }
     ++feature;
   }
   for (const auto& edge : body.edges) {
     const Eigen::Vector3d &a = body.vertices[edge[0]], &b = body.vertices[edge[1]];
-    const std::optional<PressedEdge> in = PressEdge(part, a, b);
+    const std::optional<PressedEdge> in = in_part.Press(a, b);
     // Edge against edge is among the part's.
-    const bool corner = in && (in->deepest == 0.0 || in->deepest == 1.0);
-    if (corner && in->depth_m > 0.0) {
+    if (in && (in->deepest == 0.0 || in->deepest == 1.0)) {
       contacts.push_back({feature, a + in->deepest * (b - a), -in->normal, in->depth_m, 1.0});
     }
     ++feature;

@@ -35,7 +35,9 @@ void AddCylinderContacts(const ConvexBody& body, const Cylinder& cylinder, int f
                          std::vector<BodyContact>& contacts);
 
 /// Adds the contacts of another convex body, given in the frame of the first: the deepest point of
-/// each edge of one in the other. Features from `feature` on, one for each edge of both.
+/// each edge of one in the other. Neither leaves the other by its far side: a corner that is
+/// pressed beyond the middle of a plate is still pushed back. Features from `feature` on, one for
+/// each edge of both.
 void AddHullContacts(const ConvexBody& body, const ConvexBody& part, int feature,
                      std::vector<BodyContact>& contacts);
 

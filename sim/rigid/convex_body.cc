@@ -98,7 +98,7 @@ double DepthAlong(const ConvexBody& body, const Eigen::Vector3d& a, const Eigen:
 }
 
 std::optional<PressedEdge> PressEdge(const ConvexBody& body, const Eigen::Vector3d& a,
-                                     const Eigen::Vector3d& b) {
+                                     const Eigen::Vector3d& b, const std::vector<bool>& far) {
   const Eigen::Vector3d middle = 0.5 * (a + b);
   const double reach_m = body.radius_m + 0.5 * (b - a).norm();
   if ((middle - body.centre).squaredNorm() > reach_m * reach_m) return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<PressedEdge> PressEdge(const ConvexBody& body, const Eigen::Vector
     if (at_a < 0.0) pressed.from = std::max(pressed.from, at_a / (at_a - at_b));
     if (at_b < 0.0) pressed.to = std::min(pressed.to, at_a / (at_a - at_b));
     if (pressed.from > pressed.to) return std::nullopt;
-    lines.push_back(line);
+    if (far.empty() || !far[i]) lines.push_back(line);
   }
   FindDeepest(body, lines, a, b, pressed);
   return pressed;

@@ -55,9 +55,10 @@ struct PressedEdge {
 };
 
 /// The edge from a to b against the body; none: they do not meet. Within, the distance to the
-/// surface is a concave function along the edge, so the deepest point is found exactly.
+/// surface is a concave function along the edge, so the deepest point is found exactly. far: of the
+/// faces, those by which it does not leave; empty: none.
 std::optional<PressedEdge> PressEdge(const ConvexBody& body, const Eigen::Vector3d& a,
-                                     const Eigen::Vector3d& b);
+                                     const Eigen::Vector3d& b, const std::vector<bool>& far = {});
 
 /// Distance to the surface within the body, < 0 outside, at a share of the edge [m].
 double DepthAlong(const ConvexBody& body, const Eigen::Vector3d& a, const Eigen::Vector3d& b,

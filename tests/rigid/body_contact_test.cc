@@ -227,5 +227,30 @@ TEST(HullContact, CornerOnAFaceAndEdgeAcrossAnEdge) {
   }
 }
 
+// A corner goes through a plate of 10 mm from above.
+TEST(HullContact, CornerIsPushedBackOutOfAPlateBeyondItsMiddle) {
+  const ConvexBody plate = Block(0.4, 0.4, 0.01);
+  const ConvexBody tipped = Pose3{RotX(0.6) * RotY(0.7), {0.0, 0.0, 0.0}} * Block(0.1, 0.1, 0.1);
+  double lowest = 1e9;
+  for (const Eigen::Vector3d& p : tipped.vertices) lowest = std::min(lowest, p.z());
+  for (const double depth_m : {0.002, 0.0049, 0.0051, 0.008}) {
+    const ConvexBody part = Pose3::Translation(0.0, 0.0, -depth_m - lowest) * tipped;
+    Contacts contacts;
+    AddHullContacts(plate, part, 0, contacts);
+    ASSERT_EQ(contacts.size(), 3u) << depth_m;  // the corner of three edges
+    for (const BodyContact& c : contacts) {
+      EXPECT_NEAR(c.depth_m, depth_m, 1e-12);
+      EXPECT_LT((c.normal - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+    }
+    Contacts other;
+    AddHullContacts(part, plate, 0, other);
+    EXPECT_EQ(other.size(), 3u) << depth_m;
+    for (const BodyContact& c : other) {
+      EXPECT_NEAR(c.depth_m, depth_m, 1e-12);
+      EXPECT_LT((c.normal + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dockyard

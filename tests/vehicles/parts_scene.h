@@ -49,22 +49,61 @@ inline double DepthOf(const PartContacts& parts, const RigidWorld& world, int a,
 }
 
 /// Of all pairs that may meet and are no wheels.
-inline double DeepestOverlap(const PartContacts& parts, const RigidWorld& world,
-                             const std::vector<std::vector<Eigen::Vector3d>>& points_L) {
-  double deepest_m = 0.0;
+template <class Visit>
+void ForOverlaps(const PartContacts& parts, const RigidWorld& world,
+                 const std::vector<std::vector<Eigen::Vector3d>>& points_L, const Visit& visit) {
   for (int a = 0; a < parts.count(); ++a) {
     for (int b = 0; b < parts.count(); ++b) {
       const PartGroups &one = parts.part(a).groups, &other = parts.part(b).groups;
       if (a == b || (one.group & other.meets) == 0 || (other.group & one.meets) == 0) continue;
       if (parts.part(a).wheel || parts.part(b).wheel) continue;
-      deepest_m =
-          std::max(deepest_m, DepthOf(parts, world, a, b, points_L[static_cast<std::size_t>(a)]));
+      visit(a, b, DepthOf(parts, world, a, b, points_L[static_cast<std::size_t>(a)]));
     }
   }
+}
+
+inline double DeepestOverlap(const PartContacts& parts, const RigidWorld& world,
+                             const std::vector<std::vector<Eigen::Vector3d>>& points_L) {
+  double deepest_m = 0.0;
+  ForOverlaps(parts, world, points_L,
+              [&](int, int, double depth_m) { deepest_m = std::max(deepest_m, depth_m); });
   return deepest_m;
 }
 
-/// A rock before the rover, and arm and mast driven anywhere with all their motors' torque.
+/// How far the deepest contact of a part of the mast with the body yields where the torque that the
+/// shoulder's motor has now presses it there, by the lever about the shoulder. A mast that is
+/// folded back presses with its can some centimetres from that axis. 0: nothing presses.
+inline double YieldUnderShoulder(const ArmRig& rig, int a, int b) {
+  const int mast = std::max(a, b), other = std::min(a, b);
+  if (rig.parts.part(mast).groups.group != part_group::kMast) return 0.0;
+  const WorldContact* deepest = nullptr;
+  double stiffness_n_per_m = 0.0;  // of all contacts there
+  const auto ForContacts = [&](const auto& visit) {
+    for (const PartContacts::Met& met : rig.parts.met()) {
+      if (met.a != other || met.b != mast) continue;
+      visit(rig.world.contacts()[static_cast<std::size_t>(met.contact)]);
+    }
+  };
+  ForContacts([&](const WorldContact& contact) {
+    if (deepest == nullptr || contact.gap_m < deepest->gap_m) deepest = &contact;
+  });
+  if (deepest == nullptr) return 0.0;
+  ForContacts([&](const WorldContact& contact) {
+    if ((contact.p_G - deepest->p_G).norm() > 1e-3) return;
+    stiffness_n_per_m += contact.share * contact.material.stiffness_n_per_m;
+  });
+  const LinkMotion& link = rig.body.tree().motion(rig.body.mast_link(kMastShoulder));
+  const double lever_m =
+      std::abs(deepest->normal_G.dot(link.X_GL.R.col(1).cross(deepest->p_G - link.X_GL.p)));
+  const int motor = rig.first_motor() + kArmMotors + kMastShoulder;
+  return std::abs(rig.body.output(motor).torque_nm()) / (lever_m * stiffness_n_per_m);
+}
+
+// Contacts yield by 1 mm under 20 N, the most that the arm presses with; blows press deeper.
+inline constexpr double kMostOverlap_m = 4e-3;
+
+/// A rock before the rover, and arm and mast driven anywhere with all their motors' torque. The
+/// deepest overlap, without those that the shoulder's torque makes.
 inline double OverlapOfScene(std::uint64_t scene) {
   RandomStream random(StreamKey(scene, "parts"));
   ArmRig rig(Rocky7(), "compact_gravel");
@@ -94,13 +133,13 @@ inline double OverlapOfScene(std::uint64_t scene) {
     }
     for (int i = 0; i < 10; ++i) {
       rig.Run(0.3);
-      deepest_m = std::max(deepest_m, DeepestOverlap(rig.parts, rig.world, points_L));
+      ForOverlaps(rig.parts, rig.world, points_L, [&](int a, int b, double depth_m) {
+        if (depth_m >= kMostOverlap_m && depth_m < YieldUnderShoulder(rig, a, b)) return;
+        deepest_m = std::max(deepest_m, depth_m);
+      });
     }
   }
   return deepest_m;
 }
-
-// Contacts yield by 1 mm under 20 N, the most that the arm presses with; blows press deeper.
-inline constexpr double kMostOverlap_m = 4e-3;
 
 }  // namespace dockyard
