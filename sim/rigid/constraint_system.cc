@@ -36,6 +36,7 @@ void ConstraintSystem::Start(Index speeds, double step_s, double solved) {
   joined_.resize(static_cast<std::size_t>(speeds));
   std::iota(joined_.begin(), joined_.end(), 0);
   numbers_.clear();
+  terms_.clear();
   contacts_.clear();
   rollings_.clear();
   ties_.clear();
@@ -46,23 +47,28 @@ ConstraintSystem::Rows ConstraintSystem::AddRows(const Vector3d& impulse,
                                                  const ConstraintEnds& ends) {
   Rows rows;
   rows.numbers = numbers_.size();
+  rows.terms = terms_.size();
   rows.impulse = impulse;
   rows.own.setZero();
   numbers_.resize(rows.numbers + static_cast<std::size_t>(
-                                     6 * (ends[0].jacobian.rows() + ends[1].jacobian.rows())));
+                                     3 * (ends[0].jacobian.rows() + ends[1].jacobian.rows())));
   double* number = numbers_.data() + rows.numbers;
   for (std::size_t e = 0; e < 2; ++e) {
     const ConstraintEnd& end = ends[e];
     rows.first[e] = end.first;
     rows.count[e] = end.jacobian.rows();
-    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
+    const Index count = rows.count[e];
+    for (Index i = 0; i < count; ++i) {
       const Vector3d to(end.jacobian(i, 0), end.jacobian(i, 1), end.jacobian(i, 2));
       const Vector3d from(end.answer(i, 0), end.answer(i, 1), end.answer(i, 2));
-      std::copy_n(to.data(), 3, number);
-      std::copy_n(from.data(), 3, number + 3);
+      for (Index row = 0; row < 3; ++row) number[row * count + i] = from[row];
+      if (to.isZero(0.0)) continue;
+      terms_.push_back({end.first + i, to.x(), to.y(), to.z()});
       rows.own += to * from.transpose();
     }
+    number += 3 * count;
   }
+  rows.term_count = terms_.size() - rows.terms;
   if (rows.count[0] > 0 && rows.count[1] > 0) {
     const Index a = LowestOf(rows.first[0]), b = LowestOf(rows.first[1]);
     joined_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
@@ -122,25 +128,24 @@ void ConstraintSystem::AddJoint(const JointRow& row, const TreeBody::Speeds& ans
 
 Vector3d ConstraintSystem::VelocityOf(const Rows& rows) const {
   double x = 0.0, y = 0.0, z = 0.0;
-  const double* number = numbers_.data() + rows.numbers;
-  for (std::size_t e = 0; e < 2; ++e) {
-    const double* speed = speeds_.data() + rows.first[e];
-    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
-      x += number[0] * speed[i];
-      y += number[1] * speed[i];
-      z += number[2] * speed[i];
-    }
+  const Term* const terms = terms_.data() + rows.terms;
+  for (std::size_t i = 0; i < rows.term_count; ++i) {
+    const double speed = speeds_[terms[i].speed];
+    x += terms[i].x * speed;
+    y += terms[i].y * speed;
+    z += terms[i].z * speed;
   }
   return {x, y, z};
 }
 
 void ConstraintSystem::Push(Rows& rows, const Vector3d& more) {
-  const double* number = numbers_.data() + rows.numbers + 3;
+  const double* number = numbers_.data() + rows.numbers;
   for (std::size_t e = 0; e < 2; ++e) {
-    double* speed = speeds_.data() + rows.first[e];
-    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
-      speed[i] += number[0] * more[0] + number[1] * more[1] + number[2] * more[2];
-    }
+    using Numbers = Eigen::Map<const Eigen::VectorXd>;
+    const Index count = rows.count[e];
+    const Numbers x(number, count), y(number + count, count), z(number + 2 * count, count);
+    speeds_.segment(rows.first[e], count) += x * more[0] + y * more[1] + z * more[2];
+    number += 3 * count;
   }
 }
 

@@ -72,13 +72,17 @@ class ConstraintSystem {
   const JointRow& joint_row(std::size_t i) const { return joints_[i].row; }
 
  private:
-  /// Three rows over the speeds of two bodies. Numbers lie in numbers_: for each speed three of the
-  /// Jacobian, then for each speed three of the answer.
+  /// Three rows over the speeds of two bodies. The answers lie in numbers_: of each body a row
+  /// after the other. The Jacobian lies in terms_, for those speeds alone that it is not zero of.
   struct Rows {
     std::array<Eigen::Index, 2> first{}, count{};
-    std::size_t numbers = 0;
+    std::size_t numbers = 0, terms = 0, term_count = 0;
     Eigen::Matrix3d own;  // velocity of each row for a unit impulse on another
     Eigen::Vector3d impulse;
+  };
+  struct Term {
+    Eigen::Index speed = 0;
+    double x = 0.0, y = 0.0, z = 0.0;
   };
   struct Contact {
     Rows rows;
@@ -136,6 +140,7 @@ class ConstraintSystem {
   double step_s_ = 0.0, solved_ = kSolved;
   Eigen::VectorXd speeds_;
   std::vector<double> numbers_;
+  std::vector<Term> terms_;
   std::vector<Contact> contacts_;
   std::vector<Rolling> rollings_;
   std::vector<Tie> ties_;
