@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "controller/geometry/pose.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/motor.h"
 
 namespace dockyard {
@@ -24,6 +25,7 @@ struct ScoopModel {
   double wall_m = 0.0;     // thickness of the plates
   double opening_m = 0.0;  // between the lips, at most
   double mass_kg = 0.0;
+  JointStop stop;  // of a scoop's joint, and of the lips on each other
 };
 
 struct ArmModel {
@@ -35,6 +37,7 @@ struct ArmModel {
   double scoop_low_rad = 0.0, scoop_high_rad = 0.0;  // of each scoop against the arm
   double stowed_pitch_rad = 0.0;  // at the start; roll is 0, the scoops are closed, at
   double stowed_scoop_rad = 0.0;  // this angle
+  JointStop stop;                 // of both joints of the shoulder
   ScoopModel scoop;
   MotorModel roll, pitch, scoop_motor;
 };

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "controller/geometry/pose.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/motor.h"
 
 namespace dockyard {
@@ -23,8 +24,7 @@ struct InstrumentModel {
   double closes_n = 0.0;         // force that closes a switch
   double switch_n_per_m = 0.0;   // of a switch's spring
   double rim_n_per_m = 0.0;      // of a point of the can's rim
-  // How the mast gives way along the tool's axis, and across it where the face rubs.
-  double mast_n_per_m = 0.0, mast_ns_per_m = 0.0;
+  double mast_n_per_m = 0.0, mast_ns_per_m = 0.0;  // how the mast gives way along the tool's axis
   double friction = 0.0;
 };
 
@@ -36,6 +36,7 @@ struct MastModel {
   // By joint, in the order above.
   std::array<double, 3> low_rad{}, high_rad{};
   std::array<double, 3> stowed_rad{}, watch_rad{};  // the latter: it looks ahead
+  JointStop stop;                                   // of all joints
   InstrumentModel instrument;
   std::array<MotorModel, 3> motors{};
 

@@ -8,6 +8,7 @@
 #include "controller/geometry/rover_plan.h"
 #include "models/parts/arm_model.h"
 #include "models/parts/contact_material.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/link.h"
 #include "models/parts/mast_model.h"
 #include "models/parts/motor.h"
@@ -29,6 +30,7 @@ struct SuspensionModel {
   double rocker_kg = 0.0, bogie_kg = 0.0;              // one of two
   double friction_nm = 0.0;                            // of each hinge
   double rocker_stop_rad = 0.0, bogie_stop_rad = 0.0;  // either way
+  JointStop stop;                                      // of rockers and bogies
 };
 
 /// How parts press on stones and on each other; how they rub is the stones'.

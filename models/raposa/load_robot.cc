@@ -51,6 +51,7 @@ void VisitDoors(Keys& keys, DoorsModel& doors) {
   keys.Number("travel_m", doors.travel_m, Positive(0.5));
   keys.Number("plate_m", doors.plate_m, Between(1e-3, 0.05));
   keys.Number("closed_radius_m", doors.closed_radius_m, Positive(0.2));
+  keys.Mapping("stop", [&](Keys& in) { VisitSlideStop(in, doors.stop); });
   VisitContact(keys, doors.contact, Presence::kDefault);
 }
 
@@ -174,6 +175,7 @@ void VisitRobot(Keys& keys, RobotModel& robot, RobotFile& file) {
   keys.Text("name", robot.name);
   keys.Mapping("belts", [&](Keys& in) { VisitBelts(in, robot.belts); });
   keys.Mapping("motors", [&](Keys& in) { VisitMotors(in, robot); });
+  keys.Mapping("arm_stop", [&](Keys& in) { VisitStop(in, robot.arm_stop); });
   keys.Mapping("doors", [&](Keys& in) { VisitDoors(in, robot.doors); });
   keys.Mapping("socket", [&](Keys& in) { VisitSocket(in, robot.socket); });
   keys.Mapping("camera", [&](Keys& in) { VisitCamera(in, robot.camera); });

@@ -10,6 +10,7 @@
 #include "controller/raposa/nominal/motors.h"
 #include "models/parts/contact_material.h"
 #include "models/parts/imu.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 
@@ -40,6 +41,7 @@ struct DoorsModel {
   double travel_m = 0.0;  // of each
   double plate_m = 0.0;
   double closed_radius_m = 0.0;  // of the circle in the square that both V leave
+  JointStop stop;                // at both ends of a door's travel
   ContactMaterial contact = kHardContact;
 };
 
@@ -75,6 +77,7 @@ struct RobotModel {
   Eigen::Vector3d p_R_arm{0, 0, 0};                 // the arm's joint, about y
   Eigen::Vector3d p_R_doors{0, 0, 0};               // the middle of the doors' V when closed
   double arm_lower_rad = 0.0, arm_upper_rad = 0.0;  // tip-down positive
+  JointStop arm_stop;
   BeltsModel belts;
   std::array<MotorModel, kMotorCount> motors;  // by Motor
   DoorsModel doors;

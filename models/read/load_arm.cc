@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "models/read/load_contact.h"
 #include "models/read/load_motor.h"
 
 namespace dockyard {
@@ -14,6 +15,7 @@ void VisitScoop(Keys& keys, ScoopModel& scoop) {
   keys.Number("wall_m", scoop.wall_m, Positive(0.1));
   keys.Number("opening_m", scoop.opening_m, Positive(2.0));
   keys.Number("mass_kg", scoop.mass_kg, Positive(100.0));
+  keys.Mapping("stop", [&](Keys& in) { VisitStop(in, scoop.stop); });
   keys.Check("opening_m", scoop.opening_m < 2.0 * scoop.depth_m, "less than twice depth_m");
   keys.Check("wall_m",
              scoop.wall_m <= 0.2 * std::min({scoop.width_m, scoop.depth_m, scoop.belly_m}),
@@ -40,6 +42,7 @@ void VisitArm(Keys& keys, ArmModel& arm) {
   };
   stowed("stowed_pitch_deg", arm.pitch_low_rad, arm.pitch_high_rad, arm.stowed_pitch_rad);
   stowed("stowed_scoop_deg", arm.scoop_low_rad, arm.scoop_high_rad, arm.stowed_scoop_rad);
+  keys.Mapping("stop", [&](Keys& in) { VisitStop(in, arm.stop); });
   keys.Mapping("scoops", [&](Keys& in) { VisitScoop(in, arm.scoop); });
   keys.Mapping("roll", [&](Keys& in) { VisitMotor(in, arm.roll); });
   keys.Mapping("pitch", [&](Keys& in) { VisitMotor(in, arm.pitch); });

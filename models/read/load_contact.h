@@ -1,7 +1,8 @@
-// A contact's mapping in a file -> ContactMaterial.
+// Mappings of a contact and of a joint's stop in a file -> ContactMaterial, JointStop.
 #pragma once
 
 #include "models/parts/contact_material.h"
+#include "models/parts/joint_stop.h"
 #include "models/read/keys.h"
 
 namespace dockyard {
@@ -12,5 +13,10 @@ void VisitYield(Keys& keys, ContactMaterial& material, Presence needed = Presenc
 /// needed: kRequired, or kDefault where the material's values so far hold for what is left out.
 /// rolling_resistance_m may always be left out.
 void VisitContact(Keys& keys, ContactMaterial& material, Presence needed = Presence::kRequired);
+
+/// Of a hinge.
+void VisitStop(Keys& keys, JointStop& stop);
+/// Of a slide.
+void VisitSlideStop(Keys& keys, JointStop& stop);
 
 }  // namespace dockyard

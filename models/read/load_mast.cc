@@ -1,5 +1,6 @@
 #include "models/read/load_mast.h"
 
+#include "models/read/load_contact.h"
 #include "models/read/load_motor.h"
 
 namespace dockyard {
@@ -46,6 +47,7 @@ void VisitMast(Keys& keys, MastModel& mast) {
   keys.Number("link2_kg", mast.link2_kg, Positive(1e3));
   keys.Mapping("instrument", [&](Keys& in) { VisitInstrument(in, mast.instrument); });
   keys.Check("link2_m", mast.instrument.length_m < mast.link2_m, "more than instrument.length_m");
+  keys.Mapping("stop", [&](Keys& in) { VisitStop(in, mast.stop); });
   for (std::size_t i = 0; i < kMastMotors; ++i) {
     keys.Mapping(kJoints[i], [&](Keys& in) { VisitJoint(in, i, mast); });
   }

@@ -88,6 +88,7 @@ void VisitSuspension(Keys& keys, SuspensionModel& suspension) {
   number("friction_nm", suspension.friction_nm, NonNegative(100.0));
   keys.Degrees(keys.NeededIf(bogie, "rocker_stop_deg"), suspension.rocker_stop_rad, Positive(90.0));
   keys.Degrees(keys.NeededIf(bogie, "bogie_stop_deg"), suspension.bogie_stop_rad, Positive(90.0));
+  keys.Mapping(keys.NeededIf(bogie, "stop"), [&](Keys& in) { VisitStop(in, suspension.stop); });
   keys.Tree(Unset("on_bogies"), on_bogies, YamlNode::Kind::kNull);
 }
 

@@ -16,11 +16,6 @@ namespace {
 // Robot and pyramid come to rest, and the cable lets out its slack, before the run begins. Assumed,
 // 1-3 s.
 constexpr double kSettleSeconds = 1.5;
-// End stops of arm and doors: a tenth of a millimetre at the motors' limits, a fifth of critical or
-// more on what they stop. Assumed: 1e4-1e6 N m/rad and N/m, 20-100 N m s/rad, 5-50 N s/m.
-constexpr JointLaw kArmStop{.stop_nm_per_rad = 2e4, .stop_nms_per_rad = 50.0},
-    kDoorStop{.stop_nm_per_rad = 1e5, .stop_nms_per_rad = 20.0};
-
 // Where sweeps of contacts end: impulses are good to 0.1 %. Numerical, 1e-7 to 1e-5.
 constexpr double kSolvedTo = 1e-5;
 
@@ -76,14 +71,11 @@ RigidWorld MakeWorld(const WorldSetup& setup) {
   world.SetSolved(kSolvedTo);
   world.Add(MakeRobot(setup.robot, RobotStart(setup)));
   world.Add(MakePyramid(setup.pyramid, PyramidStart(setup)));
-  const auto stop = [&](int link, double low, double high, JointLaw law) {
-    law.low_rad = low;
-    law.high_rad = high;
-    world.Limit({kRobot, link}, law);
-  };
-  stop(kArm, setup.robot.arm_lower_rad, setup.robot.arm_upper_rad, kArmStop);
-  stop(kLeftDoor, 0.0, setup.robot.doors.travel_m, kDoorStop);
-  stop(kRightDoor, -setup.robot.doors.travel_m, 0.0, kDoorStop);
+  const RobotModel& robot = setup.robot;
+  const DoorsModel& doors = robot.doors;
+  world.Limit({kRobot, kArm}, StopsAt(robot.arm_stop, robot.arm_lower_rad, robot.arm_upper_rad));
+  world.Limit({kRobot, kLeftDoor}, StopsAt(doors.stop, 0.0, doors.travel_m));
+  world.Limit({kRobot, kRightDoor}, StopsAt(doors.stop, -doors.travel_m, 0.0));
   return world;
 }
 

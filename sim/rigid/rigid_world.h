@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "models/parts/contact_material.h"
+#include "models/parts/joint_stop.h"
 #include "sim/rigid/constraint_system.h"
 #include "sim/rigid/tree_body.h"
 
@@ -43,6 +44,14 @@ struct JointLaw {
   double stop_nm_per_rad = 0.0, stop_nms_per_rad = 0.0;  // of a stop's spring, > 0, and damper
   double friction_nm = 0.0;                              // Coulomb's; holds a joint that rests
 };
+
+/// Stops at both ends of a joint's turn.
+inline JointLaw StopsAt(const JointStop& stop, double low_rad, double high_rad) {
+  return {.low_rad = low_rad,
+          .high_rad = high_rad,
+          .stop_nm_per_rad = stop.stiffness_nm_per_rad,
+          .stop_nms_per_rad = stop.damping_nms_per_rad};
+}
 
 /// Two points that a stiff spring holds together: a ball joint that closes a loop of links.
 struct PointTie {

@@ -11,10 +11,6 @@ using Eigen::Vector3d;
 // Share of the arm's mass in the shoulder's housing, which only rolls; assumed, 0.1-0.4. It is a
 // block of this size; assumed, 0.03-0.08.
 constexpr double kShoulderShare = 0.2, kShoulder_m = 0.05;
-// Stops of the shoulder: a milliradian under the motor's torque; assumed, 1e3-1e5 N m/rad.
-constexpr JointLaw kShoulderStop{.stop_nm_per_rad = 5e3, .stop_nms_per_rad = 15.0};
-// Stops of a scoop, and the lips on each other; assumed, 300-3000 N m/rad.
-constexpr JointLaw kScoopStop{.stop_nm_per_rad = 600.0, .stop_nms_per_rad = 0.9};
 
 SolidMass ScoopMass(const ScoopModel& scoop, bool front) {
   std::vector<SolidMass> plates;
@@ -69,18 +65,13 @@ double ArmInertia(const ArmModel& arm, int motor) {
 
 void LimitArm(const ArmModel& arm, const BodyLink& first, RigidWorld& world) {
   const auto Link = [&](int motor) { return BodyLink{first.body, first.link + motor}; };
-  const auto Within = [](JointLaw stop, double low_rad, double high_rad) {
-    stop.low_rad = low_rad;
-    stop.high_rad = high_rad;
-    return stop;
-  };
-  world.Limit(Link(kArmRoll), Within(kShoulderStop, -arm.roll_stop_rad, arm.roll_stop_rad));
-  world.Limit(Link(kArmPitch), Within(kShoulderStop, arm.pitch_low_rad, arm.pitch_high_rad));
+  world.Limit(Link(kArmRoll), StopsAt(arm.stop, -arm.roll_stop_rad, arm.roll_stop_rad));
+  world.Limit(Link(kArmPitch), StopsAt(arm.stop, arm.pitch_low_rad, arm.pitch_high_rad));
   for (const int scoop : {kFrontScoop, kBackScoop}) {
-    world.Limit(Link(scoop), Within(kScoopStop, arm.scoop_low_rad, arm.scoop_high_rad));
+    world.Limit(Link(scoop), StopsAt(arm.scoop.stop, arm.scoop_low_rad, arm.scoop_high_rad));
   }
   world.LimitBetween(Link(kBackScoop), first.link + kFrontScoop,
-                     Within(kScoopStop, 0.0, MostOpen_rad(arm.scoop)));
+                     StopsAt(arm.scoop.stop, 0.0, MostOpen_rad(arm.scoop)));
 }
 
 ArmBody::ArmBody(const ArmModel& arm, int first, const std::vector<SoilModel>& soils)

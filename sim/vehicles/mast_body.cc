@@ -10,8 +10,6 @@ using Eigen::Vector3d;
 
 // Of the shoulder's housing; assumed, 3-8 cm.
 constexpr double kHousing_m = 0.05;
-// A milliradian under the motor's torque; assumed, 1e3-1e5 N m/rad.
-constexpr JointLaw kMastStop{.stop_nm_per_rad = 1e4, .stop_nms_per_rad = 30.0};
 
 Matrix3d BlockInertia(double mass_kg, const Vector3d& size_m) {
   const Vector3d s2 = size_m.cwiseAbs2();
@@ -62,10 +60,8 @@ double MastInertia(const MastModel& mast, int motor) {
 
 void LimitMast(const MastModel& mast, const BodyLink& first, RigidWorld& world) {
   for (std::size_t i = 0; i < kMastMotors; ++i) {
-    JointLaw stop = kMastStop;
-    stop.low_rad = mast.low_rad[i];
-    stop.high_rad = mast.high_rad[i];
-    world.Limit({first.body, first.link + static_cast<int>(i)}, stop);
+    world.Limit({first.body, first.link + static_cast<int>(i)},
+                StopsAt(mast.stop, mast.low_rad[i], mast.high_rad[i]));
   }
 }
 

@@ -12,9 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Rocker and bogie against their stops: a tenth of a degree under the weight of a side. Assumed,
-// 1e3-1e5 N m/rad; a tenth of critical or more on a rocker with its wheels, 5-50 N m s/rad.
-constexpr double kHingeStop_nm_per_rad = 1e4, kHingeStop_nms_per_rad = 20.0;
 // A hinge's friction is reached after so little turning. Assumed, 0.1-2 mrad.
 constexpr double kFrictionBend_rad = 5e-4;
 
@@ -133,10 +130,8 @@ WheeledBody::WheeledBody(RigidWorld& world, const RoverModel& rover,
   std::vector<TreeLink> links = LinksOf(rover);  // the ties name them
   number_ = world.Add(TreeBody(std::move(links), TiesOf(), X_GB));
   for (const Hinge& hinge : hinges_) {
-    world.Limit({number_, hinge.link}, {.low_rad = -hinge.stop_rad,
-                                        .high_rad = hinge.stop_rad,
-                                        .stop_nm_per_rad = kHingeStop_nm_per_rad,
-                                        .stop_nms_per_rad = kHingeStop_nms_per_rad});
+    world.Limit({number_, hinge.link},
+                StopsAt(rover.suspension.stop, -hinge.stop_rad, hinge.stop_rad));
   }
   hinge_friction_.limit_nm = rover.suspension.friction_nm;
   hinge_friction_.stiffness_nm_per_rad = rover.suspension.friction_nm / kFrictionBend_rad;

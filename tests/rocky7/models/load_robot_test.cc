@@ -45,6 +45,11 @@ void AddPlan(const RoverPlan& plan, FileValues& values) {
   }
 }
 
+void AddStop(const std::string& at, const JointStop& stop, FileValues& values) {
+  values[at + ".stiffness_nm_per_rad"] = stop.stiffness_nm_per_rad;
+  values[at + ".damping_nms_per_rad"] = stop.damping_nms_per_rad;
+}
+
 void AddArm(const ArmModel& a, FileValues& values) {
   const std::string at = "build.arm.";
   values.merge(FileValues{{at + "x_m", a.p_RA.x()},
@@ -64,6 +69,8 @@ void AddArm(const ArmModel& a, FileValues& values) {
                           {at + "scoops.wall_m", a.scoop.wall_m},
                           {at + "scoops.opening_m", a.scoop.opening_m},
                           {at + "scoops.mass_kg", a.scoop.mass_kg}});
+  AddStop(at + "stop", a.stop, values);
+  AddStop(at + "scoops.stop", a.scoop.stop, values);
   AddMotor(at + "roll", a.roll, values);
   AddMotor(at + "pitch", a.pitch, values);
   AddMotor(at + "scoop", a.scoop_motor, values);
@@ -90,6 +97,7 @@ void AddMast(const MastModel& m, FileValues& values) {
                           {can + "mast_n_per_m", i.mast_n_per_m},
                           {can + "mast_ns_per_m", i.mast_ns_per_m},
                           {can + "friction", i.friction}});
+  AddStop(at + "stop", m.stop, values);
   const char* const joints[] = {"roll", "shoulder", "elbow"};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string joint = at + joints[k];
@@ -125,6 +133,7 @@ void AddBody(const RoverModel& r, FileValues& values) {
                           {at + "friction_nm", s.friction_nm},
                           {at + "rocker_stop_deg", Degrees(s.rocker_stop_rad)},
                           {at + "bogie_stop_deg", Degrees(s.bogie_stop_rad)}});
+  AddStop(at + "stop", s.stop, values);
   AddMotor("build.drive", r.drive, values);
   AddMotor("build.steer", r.steer, values);
 }
