@@ -11,6 +11,7 @@
 #include "models/parts/cameras.h"
 #include "models/parts/contact_material.h"
 #include "models/parts/imu.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/jointed_link.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
@@ -47,7 +48,7 @@ struct RoverModel {
   double arm_upper_rad = std::numeric_limits<double>::infinity();
   // Of such a stop: stiff rubber (assumed, range 1e3-1e4 Nm/rad), and a fifth of critical damping
   // on the arm and its rotor, 3.3 kg m^2 (assumed, range 20-250 Nm s/rad).
-  double arm_stop_nm_per_rad = 5e3, arm_stop_nms_per_rad = 50.0;
+  JointStop arm_stop{.stiffness_nm_per_rad = 5e3, .damping_nms_per_rad = 50.0};
   double arm_length_m = 0.0;         // axle to the tip's front face
   double arm_at_power_on_rad = 0.0;  // stowed against the body, tip-down positive
   WheelModel left_wheel_soil, right_wheel_soil;

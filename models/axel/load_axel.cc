@@ -87,12 +87,7 @@ void VisitArm(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Check("tip_length_m", rover.tip.length_m < rover.arm_length_m, "less than length_m");
   keys.Mapping(Unset("collar"), [&](Keys& in) { VisitCollar(in, rover); });
   keys.Number(Optional("offset_m"), file.arm_offset_m, Between(-1.0, 1.0));
-  keys.Mapping(Optional("stop"), [&](Keys& in) {
-    in.Number({"stiffness_nm_per_rad", "N m/rad", "of the arm's end stops, if it has any"},
-              rover.arm_stop_nm_per_rad, Positive(1e7));
-    in.Number({"damping_nms_per_rad", "N m s/rad", "of the same"}, rover.arm_stop_nms_per_rad,
-              NonNegative(1e6));
-  });
+  keys.Mapping(Optional("stop"), [&](Keys& in) { VisitStop(in, rover.arm_stop); });
 }
 
 void VisitTether(Keys& keys, TetherModel& tether) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/parts/contact_material.h"
+#include "models/parts/joint_stop.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 
@@ -31,9 +32,8 @@ struct JointedLink {
   bool slides = false;
   double low_rad = -std::numeric_limits<double>::infinity();
   double high_rad = std::numeric_limits<double>::infinity();
-  // Of its end stops, stiff rubber.
-  double stop_nm_per_rad = 5e3;    // as of Axel's arm; assumed, 1e3-1e5
-  double stop_nms_per_rad = 50.0;  // as of Axel's arm; assumed, 5-250
+  // Stiff rubber, as of Axel's arm; assumed, 1e3-1e5 and 5-250.
+  JointStop stop{.stiffness_nm_per_rad = 5e3, .damping_nms_per_rad = 50.0};
   double damping_nms_per_rad = 0.0, friction_nm = 0.0;  // of the joint; friction is Coulomb's
   double spring_nm_per_rad = 0.0, rest_rad = 0.0;       // of its spring, free at rest_rad
   double start_rad = 0.0;
@@ -48,8 +48,8 @@ struct JointRatio {
 
 /// A ball joint between two links, which closes a loop of the tree.
 struct LinkPin {
-  int a = 0, b = 0;              // among all links of the robot
-  Eigen::Vector3d p_A{0, 0, 0};  // in a's frame; where b has it follows from the start
+  int a = 0, b = 0;                // among all links of the robot
+  Eigen::Vector3d p_A{0, 0, 0};    // in a's frame; where b has it follows from the start
   double stiffness_n_per_m = 1e6;  // of a steel pin in its bore; assumed, 1e5-1e7
   double damping_ns_per_m = 1e3;   // of the same; assumed, 1e2-1e4
 };

@@ -25,14 +25,8 @@ void VisitJoint(Keys& keys, JointFile& joint) {
   keys.Number(unset("start_m", "m", "travel of a slide at the start"), joint.start_m,
               Between(-100.0, 100.0));
   keys.Mapping(Unset("stop"), [&](Keys& in) {
-    in.Number(unset("stiffness_nm_per_rad", "N m/rad", "of the end stops"), joint.stop_nm_per_rad,
-              Positive(1e8));
-    in.Number(unset("damping_nms_per_rad", "N m s/rad", "of the same"), joint.stop_nms_per_rad,
-              NonNegative(1e7));
-    in.Number(unset("stiffness_n_per_m", "N/m", "of a slide's end stops"), joint.stop_n_per_m,
-              Positive(1e9));
-    in.Number(unset("damping_ns_per_m", "N s/m", "of the same"), joint.stop_ns_per_m,
-              NonNegative(1e8));
+    VisitStop(in, joint.stop);
+    VisitSlideStop(in, joint.slide_stop);
   });
   keys.Mapping(Unset("spring"), [&](Keys& in) {
     in.Number(unset("stiffness_nm_per_rad", "N m/rad", "of a spring at the joint"),
@@ -188,17 +182,20 @@ void TakeKeys(const ItemReader& in, const JointFile& file, JointedLink& link) {
   const auto any = [](std::initializer_list<double> keys) {
     return std::any_of(keys.begin(), keys.end(), [](double key) { return !std::isnan(key); });
   };
-  const bool of_slide = any({file.start_m, file.stop_n_per_m, file.stop_ns_per_m,
-                             file.spring_n_per_m, file.rest_m, file.rate_m_s});
-  const bool of_turn = any({file.start_rad, file.stop_nm_per_rad, file.stop_nms_per_rad,
-                            file.spring_nm_per_rad, file.rest_rad, file.rate_rad_s});
+  const bool of_slide =
+      any({file.start_m, file.slide_stop.stiffness_nm_per_rad, file.slide_stop.damping_nms_per_rad,
+           file.spring_n_per_m, file.rest_m, file.rate_m_s});
+  const bool of_turn =
+      any({file.start_rad, file.stop.stiffness_nm_per_rad, file.stop.damping_nms_per_rad,
+           file.spring_nm_per_rad, file.rest_rad, file.rate_rad_s});
   if (link.slides ? of_turn : of_slide) {
     in.Refuse(link.slides ? "keys in metres: the joint slides"
                           : "keys in degrees: the joint turns");
   }
   Put(link.slides ? file.start_m : file.start_rad, link.start_rad);
-  Put(link.slides ? file.stop_n_per_m : file.stop_nm_per_rad, link.stop_nm_per_rad);
-  Put(link.slides ? file.stop_ns_per_m : file.stop_nms_per_rad, link.stop_nms_per_rad);
+  const JointStop& stop = link.slides ? file.slide_stop : file.stop;
+  Put(stop.stiffness_nm_per_rad, link.stop.stiffness_nm_per_rad);
+  Put(stop.damping_nms_per_rad, link.stop.damping_nms_per_rad);
   Put(link.slides ? file.spring_n_per_m : file.spring_nm_per_rad, link.spring_nm_per_rad);
   Put(link.slides ? file.rest_m : file.rest_rad, link.rest_rad);
   if (link.start_rad < link.low_rad || link.start_rad > link.high_rad) {

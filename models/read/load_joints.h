@@ -17,7 +17,7 @@ namespace dockyard {
 struct JointFile {
   std::string name;
   double start_rad = NAN, start_m = NAN;
-  double stop_nm_per_rad = NAN, stop_nms_per_rad = NAN, stop_n_per_m = NAN, stop_ns_per_m = NAN;
+  JointStop stop{NAN, NAN}, slide_stop{NAN, NAN};
   double spring_nm_per_rad = NAN, rest_rad = NAN, spring_n_per_m = NAN, rest_m = NAN;
   double rate_rad_s = NAN, rate_m_s = NAN, lead_m_per_turn = NAN;
   std::optional<MotorModel> motor;

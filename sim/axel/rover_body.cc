@@ -76,10 +76,8 @@ RoverBody::RoverBody(RigidWorld& world, const RoverModel& rover, const Pose3& X_
   LimitJoints(rover.further, tree_link_, body_, world);
   further_drives_ = JointDrives(rover.further, tree_link_, tree());
   if (!std::isfinite(rover.arm_lower_rad) && !std::isfinite(rover.arm_upper_rad)) return;
-  world.Limit(Place(RoverLink::kArm), {.low_rad = rover.arm_lower_rad,
-                                       .high_rad = rover.arm_upper_rad,
-                                       .stop_nm_per_rad = rover.arm_stop_nm_per_rad,
-                                       .stop_nms_per_rad = rover.arm_stop_nms_per_rad});
+  world.Limit(Place(RoverLink::kArm),
+              StopsAt(rover.arm_stop, rover.arm_lower_rad, rover.arm_upper_rad));
 }
 
 }  // namespace dockyard::axel

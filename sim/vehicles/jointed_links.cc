@@ -71,11 +71,9 @@ void LimitJoints(const JointedLinks& further, const TreePlaces& places, int body
   for (std::size_t i = 0; i < further.links.size(); ++i) {
     const JointedLink& each = further.links[i];
     if (!HasStops(each) && each.friction_nm == 0.0) continue;
-    world.Limit({body, places[own + i]}, {.low_rad = each.low_rad,
-                                          .high_rad = each.high_rad,
-                                          .stop_nm_per_rad = each.stop_nm_per_rad,
-                                          .stop_nms_per_rad = each.stop_nms_per_rad,
-                                          .friction_nm = each.friction_nm});
+    JointLaw law = StopsAt(each.stop, each.low_rad, each.high_rad);
+    law.friction_nm = each.friction_nm;
+    world.Limit({body, places[own + i]}, law);
   }
   for (const LinkPin& pin : further.pins) {
     const BodyLink a{body, places[At(pin.a)]}, b{body, places[At(pin.b)]};

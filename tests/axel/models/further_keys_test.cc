@@ -56,8 +56,8 @@ TEST(FurtherJoints, ComeFromTheUrdfAndTheirKeys) {
   EXPECT_DOUBLE_EQ(mast.motor->model.brake_torque_nm, 6.0);
   EXPECT_TRUE(camera.slides);
   EXPECT_DOUBLE_EQ(camera.start_rad, 0.5);
-  EXPECT_DOUBLE_EQ(camera.stop_nm_per_rad, 1e4);
-  EXPECT_DOUBLE_EQ(camera.stop_nms_per_rad, 20.0);
+  EXPECT_DOUBLE_EQ(camera.stop.stiffness_nm_per_rad, 1e4);
+  EXPECT_DOUBLE_EQ(camera.stop.damping_nms_per_rad, 20.0);
   EXPECT_DOUBLE_EQ(camera.spring_nm_per_rad, 300.0);
   EXPECT_DOUBLE_EQ(camera.rest_rad, 0.25);
   EXPECT_FALSE(camera.motor);
