@@ -25,6 +25,7 @@ struct ArmTipModel {
   double length_m = 0.0;         // of the thick tip part
   double ground_friction = 0.0;  // dragging over soil
   double ground_stiffness_n_per_m = 0.0;
+  double ground_damping_ratio = 0.3;  // share of critical; assumed, 0.1-0.5
 };
 
 /// A collar behind the tip. It enters the throat last and, with the tip, holds the seated arm

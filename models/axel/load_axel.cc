@@ -84,6 +84,7 @@ void VisitArm(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Number("tip_length_m", rover.tip.length_m, Positive(1.0));
   keys.Number("ground_friction", rover.tip.ground_friction, NonNegative(2.0));
   keys.Number("ground_stiffness_n_per_m", rover.tip.ground_stiffness_n_per_m, Between(100.0, 1e6));
+  keys.Number(Optional("ground_damping_ratio"), rover.tip.ground_damping_ratio, NonNegative(5.0));
   keys.Check("tip_length_m", rover.tip.length_m < rover.arm_length_m, "less than length_m");
   keys.Mapping(Unset("collar"), [&](Keys& in) { VisitCollar(in, rover); });
   keys.Number(Optional("offset_m"), file.arm_offset_m, Between(-1.0, 1.0));

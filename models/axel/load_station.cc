@@ -90,6 +90,7 @@ void VisitFeet(Keys& keys, StationModel& station) {
   });
   keys.Number("friction", station.foot_friction, NonNegative(3.0));
   keys.Number("stiffness_n_per_m", station.foot_stiffness_n_per_m, Between(1e3, 1e8));
+  keys.Number(Optional("damping_ratio"), station.foot_damping_ratio, NonNegative(5.0));
   keys.Number(Optional("sole_diameter_m"), station.sole_diameter_m, NonNegative(0.3));
 }
 

@@ -52,6 +52,7 @@ struct StationModel {
   std::vector<FootModel> feet;
   double foot_friction = 0.0;           // Coulomb, feet on soil
   double foot_stiffness_n_per_m = 0.0;  // each foot, vertical and tangential
+  double foot_damping_ratio = 0.3;      // share of critical, soil under a pad; assumed, 0.1-0.5
   double sole_diameter_m = 0.0;         // round soles that sink into the soil; 0: hard feet
 };
 

@@ -5,12 +5,9 @@
 namespace dockyard::axel {
 namespace {
 
-// Share of critical damping of tip and body on soil (assumed, range 0.1-0.5).
-constexpr double kDampingRatio = 0.3;
-
 GroundMaterial MakeMaterial(const ArmTipModel& tip, double mass_kg) {
   const double critical = 2.0 * std::sqrt(tip.ground_stiffness_n_per_m * mass_kg);
-  return {tip.ground_stiffness_n_per_m, kDampingRatio * critical, tip.ground_friction};
+  return {tip.ground_stiffness_n_per_m, tip.ground_damping_ratio * critical, tip.ground_friction};
 }
 
 }  // namespace

@@ -9,9 +9,6 @@
 namespace dockyard::axel {
 namespace {
 
-// Share of critical damping in the feet (assumed, range 0.1-0.5: soil under a pad).
-constexpr double kFootDampingRatio = 0.3;
-
 // The module in S, tipped: its own frame stands level, and it is tipped about the mouth's centre.
 TreeBody FreeModule(const StationModel& station, const Pose3& X_GS) {
   const Pose3 X_SL =
@@ -45,7 +42,7 @@ GroundMaterial StationBody::MaterialOf(const SinkingPlate& sole) const {
   const double share_kg = station_.module.mass_kg / static_cast<double>(station_.feet.size());
   const bool sinks = sole.force_n_per_m_n > 0.0;
   const double stiffness = sinks ? sole.rebound_n_per_m : station_.foot_stiffness_n_per_m;
-  return {stiffness, 2.0 * kFootDampingRatio * std::sqrt(stiffness * share_kg),
+  return {stiffness, 2.0 * station_.foot_damping_ratio * std::sqrt(stiffness * share_kg),
           station_.foot_friction, sole};
 }
 

@@ -8,12 +8,8 @@
 namespace dockyard::raposa {
 namespace {
 
-// Share of critical damping in the feet: rubber. Assumed, 0.2-0.6.
-constexpr double kFootDampingRatio = 0.4;
 // Point masses of the cable lie this far apart. Assumed, 0.1-0.3 m: 10-15 on 3 m.
 constexpr double kCableSpacing_m = 0.2;
-// Of the cable's length. Assumed, 5-100 N s/m.
-constexpr double kCableDamping_ns_m = 20.0;
 // Slack is let out before the run begins. Assumed, 0.3-1 m/s.
 constexpr double kSlackRate_m_s = 0.5;
 // A cable whose masses have all been slower than this for so long lies still: it is not stepped,
@@ -24,7 +20,7 @@ constexpr double kCableHeight_m = 0.015;
 
 CableModel ModelOf(const TetherCableModel& cable) {
   return {.axial_stiffness_n = cable.axial_stiffness_n,
-          .damping_ns_per_m = kCableDamping_ns_m,
+          .damping_ns_per_m = cable.damping_ns_per_m,
           .diameter_m = cable.diameter_m,
           .mass_kg_per_m = cable.mass_kg_per_m,
           .friction_on_ground = cable.friction_on_ground,
@@ -48,7 +44,7 @@ PyramidLoads::PyramidLoads(const PyramidModel& pyramid, const Pose3& X_GP,
       slack_left_m_(pyramid.cable.slack_m) {
   const double share_kg = pyramid.body.mass_kg / static_cast<double>(feet_.size());
   GroundMaterial sole{.stiffness_n_per_m = pyramid.foot_stiffness_n_per_m,
-                      .damping_ns_per_m = 2.0 * kFootDampingRatio *
+                      .damping_ns_per_m = 2.0 * pyramid.foot_damping_ratio *
                                           std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
                       .friction = pyramid.foot_friction};
   for (const std::optional<SoilModel>& soil : soils) {
