@@ -47,7 +47,7 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, cons
       texture_seed_(StreamKey(run_seed, "texture")) {
   for (const LinkLook& look : LooksOf(built.world.robot.rover, rover)) {
     Link link{look.name, DrawnParts(look.visuals)};
-    if (link.name == "mast_link_2") {
+    if (link.name == "instrument") {
       instrument_link_ = links_.size();
       instrument_m_ = built.world.robot.rover.mast->link2_m;
     }

@@ -74,15 +74,13 @@ std::vector<Visual> WheelLook(const RoverModel& rover) {
   return parts;
 }
 
-// The instrument as a can at the bar's end.
-std::vector<Visual> OuterLook(const MastModel& mast) {
-  const double can_m = mast.link2_m - mast.instrument.length_m;
+// The instrument as a can.
+Visual Can(const MastModel& mast) {
   Pose3 X_LV;
   X_LV.R = RotZ(kPi / 2);  // a cylinder's axis is y
-  X_LV.p = {can_m + 0.5 * mast.instrument.length_m, 0.0, 0.0};
-  return {
-      Bar(Vector3d::Zero(), {can_m, 0.0, 0.0}),
-      Part("can", CylinderMesh(mast.instrument.radius_m, mast.instrument.length_m), X_LV, kWheels)};
+  X_LV.p = {mast.link2_m - 0.5 * mast.instrument.length_m, 0.0, 0.0};
+  return Part("can", CylinderMesh(mast.instrument.radius_m, mast.instrument.length_m), X_LV,
+              kWheels);
 }
 
 }  // namespace
@@ -113,12 +111,14 @@ std::vector<LinkLook> LooksOf(const RoverModel& rover, const WheeledBody& body) 
   }
   if (rover.mast) {
     const MastModel& mast = *rover.mast;
-    const auto look = [&](int motor) -> LinkLook& {
-      return looks[static_cast<std::size_t>(body.mast_link(motor))];
+    const auto look = [&](int link) -> LinkLook& {
+      return looks[static_cast<std::size_t>(body.mast_link(link))];
     };
     look(kMastRoll).name = "mast";
     look(kMastShoulder) = {"mast_link_1", {Bar(Vector3d::Zero(), {mast.link1_m, 0.0, 0.0})}};
-    look(kMastElbow) = {"mast_link_2", OuterLook(mast)};
+    const double bar_m = mast.link2_m - mast.instrument.length_m;
+    look(kMastElbow) = {"mast_link_2", {Bar(Vector3d::Zero(), {bar_m, 0.0, 0.0})}};
+    look(kMastCan) = {"instrument", {Can(mast)}};
   }
   // A link that carries others has a bar to each of their hinges.
   for (std::size_t i = 1; i < looks.size(); ++i) {

@@ -63,7 +63,7 @@ World::World(const WorldSetup& setup)
       parts_(world_),
       stones_(setup.stones, SoilsOf(setup), setup.ground),
       loose_(world_, SoilsOf(setup), setup.stone_friction),
-      face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
+      face_(setup.robot.rover.mast->instrument, {rover_.number(), rover_.mast_link(kMastCan)},
             setup.robot.rover.mast->link2_m) {
   DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= kLongestStep_s);
   AddRoverParts(setup.robot.rover, rover_, setup.stone_friction, parts_);
@@ -99,13 +99,12 @@ void World::AddLooseTarget() {
 
 void World::Step(const std::vector<MotorCommand>& commands) {
   rover_.AddLoads(commands, setup_.step_s, setup_.ground);
-  if (setup_.boulder) {
-    face_.Step(*setup_.boulder, setup_.step_s, rover_.tree());
-    most_face_n_ = std::max(most_face_n_, face_.force_n());
-  }
   parts_.AddContacts();
+  if (setup_.boulder) face_.AddContacts(*setup_.boulder, world_);
   loose_.AddSoilContacts(setup_.ground, setup_.step_s);
   world_.Step(setup_.step_s);
+  face_.TakeForces(world_, setup_.step_s);
+  most_face_n_ = std::max(most_face_n_, face_.force_n());
   stones_.Sink(world_, setup_.step_s, parts_);
   loose_.Rest(setup_.ground, setup_.step_s);
   imu_.Add(rover_.body(), setup_.step_s);
@@ -141,7 +140,8 @@ Truth World::truth() const {
   truth.v_WK_W = X_WG_.R * outer.v_GL_G;
   truth.w_WK_W = X_WG_.R * outer.w_GL_G;
   truth.axis_G = outer.X_GL.R.col(0);
-  truth.p_GF = outer.X_GL.p + setup_.robot.rover.mast->link2_m * truth.axis_G;
+  truth.p_GF = rover_.tree().motion(rover_.mast_link(kMastCan)).X_GL.p +
+               setup_.robot.rover.mast->link2_m * truth.axis_G;
   truth.closed = face_.closed();
   truth.face_n = face_.force_n();
   truth.most_face_n = most_face_n_;
@@ -168,7 +168,7 @@ TrueImu World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
 
 std::uint64_t World::StateHash(std::uint64_t seed) const {
   const std::uint64_t bodies = world_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_)));
-  return face_.StateHash(loose_.StateHash(stones_.StateHash(rover_.StateHash(bodies))));
+  return loose_.StateHash(stones_.StateHash(rover_.StateHash(bodies)));
 }
 
 }  // namespace dockyard::rocky7

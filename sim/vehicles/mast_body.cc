@@ -22,18 +22,25 @@ SolidMass Block(double mass_kg, const Vector3d& middle, const Vector3d& size_m) 
 }
 
 // The second link: a bar, and the instrument at its end.
-SolidMass OuterMass(const MastModel& mast) {
+SolidMass BarMass(const MastModel& mast) {
+  const double bar_m = mast.link2_m - mast.instrument.length_m;
+  return Block(mast.link2_kg, {0.5 * bar_m, 0.0, 0.0}, {bar_m, kMastBar_m, kMastBar_m});
+}
+
+SolidMass CanMass(const MastModel& mast) {
   const InstrumentModel& can = mast.instrument;
-  const double bar_m = mast.link2_m - can.length_m;
-  return Together({Block(mast.link2_kg, {0.5 * bar_m, 0.0, 0.0}, {bar_m, kMastBar_m, kMastBar_m}),
-                   Block(can.mass_kg, {bar_m + 0.5 * can.length_m, 0.0, 0.0},
-                         {can.length_m, 2.0 * can.radius_m, 2.0 * can.radius_m})});
+  return Block(can.mass_kg, {mast.link2_m - 0.5 * can.length_m, 0.0, 0.0},
+               {can.length_m, 2.0 * can.radius_m, 2.0 * can.radius_m});
 }
 
 }  // namespace
 
 std::vector<TreeLink> MastLinks(const MastModel& mast, int first) {
   const Vector3d y = Vector3d::UnitY();
+  TreeLink can = SolidLink(first + kMastElbow, Vector3d::Zero(), Vector3d::UnitX(), CanMass(mast));
+  can.joint = JointKind::kSlide;
+  can.stiffness_nm_per_rad = mast.instrument.mast_n_per_m;
+  can.damping_nms_per_rad = mast.instrument.mast_ns_per_m;
   const auto rotor = [&](std::size_t i) { return mast.motors[i].reflected_inertia_kg_m2; };
   return {SolidLink(0, mast.p_RM, Vector3d::UnitZ(),
                     Block(mast.housing_kg, Vector3d::Zero(), Vector3d::Constant(kHousing_m)),
@@ -42,12 +49,13 @@ std::vector<TreeLink> MastLinks(const MastModel& mast, int first) {
                     Block(mast.link1_kg, {0.5 * mast.link1_m, 0.0, 0.0},
                           {mast.link1_m, kMastBar_m, kMastBar_m}),
                     rotor(kMastShoulder)),
-          SolidLink(first + kMastShoulder, {mast.link1_m, 0.0, 0.0}, y, OuterMass(mast),
-                    rotor(kMastElbow))};
+          SolidLink(first + kMastShoulder, {mast.link1_m, 0.0, 0.0}, y, BarMass(mast),
+                    rotor(kMastElbow)),
+          can};
 }
 
 double MastInertia(const MastModel& mast, int motor) {
-  const SolidMass outer = OuterMass(mast);
+  const SolidMass outer = Together({BarMass(mast), CanMass(mast)});
   const auto About = [](double mass_kg, double away_m, double moment) {
     return moment + mass_kg * away_m * away_m;
   };

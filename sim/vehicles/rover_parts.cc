@@ -104,7 +104,7 @@ void AddMast(const Adder& to) {
          BarBetween(Vector3d::Zero(), {mast.link1_m, 0.0, 0.0}, kMastBar_m), material, groups);
   to.Add(to.body.mast_link(kMastElbow), BarBetween(Vector3d::Zero(), {can_m, 0.0, 0.0}, kMastBar_m),
          material, groups);
-  to.Add(to.body.mast_link(kMastElbow), CanSide(mast), material, groups);
+  to.Add(to.body.mast_link(kMastCan), CanSide(mast), material, groups);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ class WheeledBody {
   }
   bool has_arm() const { return arm_.has_value(); }
   const ArmBody& arm() const { return *arm_; }
-  /// The link that a motor of the mast turns.
+  /// The link that a motor of the mast turns; kMastCan (mast_body.h): the instrument.
   int mast_link(int motor) const { return mast_link_ + motor; }
   /// Puts the mast at these angles, for a start.
   void PutMast(const std::array<double, 3>& angle_rad);
