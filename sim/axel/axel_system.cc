@@ -99,9 +99,14 @@ std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& mesh
   const YamlNode root = LoadModelYaml(file);
   if (IsRobotFile(root)) {
     const RoverModel rover = LoadRover(file, 0, 0, {}, &meshes);
+    std::string further;
+    for (const JointedLink& each : rover.further.links) {
+      further += (further.empty() ? "; further links: " : ", ") + each.link.name +
+                 (each.motor ? " by a motor" : "");
+    }
     return FileCheck{"rover", rover.name + ": " + NumberText(rover.mass_kg()) + " kg, arm " +
                                   NumberText(rover.arm_length_m) + " m, stereo baseline " +
-                                  NumberText(rover.stereo.nominal.baseline_m()) + " m"};
+                                  NumberText(rover.stereo.nominal.baseline_m()) + " m" + further};
   }
   if (!IsStationFile(root)) return std::nullopt;
   const StationModel station = LoadStation(file, {}, &meshes);
