@@ -88,7 +88,8 @@ void VisitArm(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Check("tip_length_m", rover.tip.length_m < rover.arm_length_m, "less than length_m");
   keys.Mapping(Unset("collar"), [&](Keys& in) { VisitCollar(in, rover); });
   keys.Number(Optional("offset_m"), file.arm_offset_m, Between(-1.0, 1.0));
-  keys.Mapping(Optional("stop"), [&](Keys& in) { VisitStop(in, rover.arm_stop); });
+  keys.Mapping(Optional("stop"),
+               [&](Keys& in) { VisitStop(in, rover.arm_stop, Presence::kDefault); });
 }
 
 void VisitTether(Keys& keys, TetherModel& tether) {
@@ -175,6 +176,9 @@ void TakeLinks(const YamlReader& in, const RoverFile& file, const RoverModel& dr
     weigh(each.link);
     // What the arm carries is mounted further out with it.
     if (each.carrier == kArmNumber) each.X_PL.p.x() += rover.arm_length_m - drawn.arm_length_m;
+  }
+  for (LinkPin& pin : rover.further.pins) {
+    if (pin.a == kArmNumber) pin.p_A.x() += rover.arm_length_m - drawn.arm_length_m;
   }
   if (!std::isnan(file.body_com_x_m)) rover.body.p_LoCom_L.x() = file.body_com_x_m;
 }

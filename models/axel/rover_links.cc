@@ -95,18 +95,21 @@ void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
 
 JointedLinks TakeFurtherLinks(const YamlReader& in, const UrdfModel& file,
                               const JointsFile& joints) {
-  // Logs have bodies by these names.
-  for (const char* taken : {"robot", "station", "rocks", "scenery", "shade"}) {
-    for (std::size_t i = 0; i < file.links.size(); ++i) {
-      if (file.links[i].name != taken) continue;
-      throw ConfigError(file.place[i] + ": expected another name than '" + taken +
-                        "', which is another body's in the logs");
+  JointedLinks further =
+      TakeJointedLinks(in, WeldFixedLinks(file),
+                       {.links = {"body", "left_wheel", "right_wheel", "arm"},
+                        .joints = {"left_wheel_joint", "right_wheel_joint", "arm_joint"}},
+                       joints);
+  // Logs have bodies, frames and points by these names.
+  for (const char* taken : {"robot", "station", "rocks", "scenery", "shade", "tether", "world",
+                            "dock", "ground", "left", "right", "target", "tip", "board"}) {
+    for (const JointedLink& each : further.links) {
+      if (each.link.name != taken) continue;
+      throw ConfigError(file.PlaceOf(taken) + ": expected another name than '" + taken +
+                        "', which something else has in the logs");
     }
   }
-  return TakeJointedLinks(in, WeldFixedLinks(file),
-                          {.links = {"body", "left_wheel", "right_wheel", "arm"},
-                           .joints = {"left_wheel_joint", "right_wheel_joint", "arm_joint"}},
-                          joints);
+  return further;
 }
 
 }  // namespace dockyard::axel

@@ -22,6 +22,9 @@ struct JointMotor {
   double lead_m_per_turn = 0.0;  // of a slide's screw: travel for a turn of the motor's output
 };
 
+/// Of a slide [N/m, N s/m]: 10 kg fall on it by 1 mm; assumed, 1e4-1e6 and 50-5000.
+inline constexpr JointStop kSlideStop{.stiffness_nm_per_rad = 1e5, .damping_nms_per_rad = 500.0};
+
 /// A link and its joint. "Angle" is a slide's travel as well [m], "torque" its force [N].
 struct JointedLink {
   LinkModel link;
@@ -32,7 +35,7 @@ struct JointedLink {
   bool slides = false;
   double low_rad = -std::numeric_limits<double>::infinity();
   double high_rad = std::numeric_limits<double>::infinity();
-  // Stiff rubber, as of Axel's arm; assumed, 1e3-1e5 and 5-250.
+  // Stiff rubber, as of Axel's arm; assumed, 1e3-1e5 and 5-250. A slide has kSlideStop.
   JointStop stop{.stiffness_nm_per_rad = 5e3, .damping_nms_per_rad = 50.0};
   double damping_nms_per_rad = 0.0, friction_nm = 0.0;  // of the joint; friction is Coulomb's
   double spring_nm_per_rad = 0.0, rest_rad = 0.0;       // of its spring, free at rest_rad
@@ -56,7 +59,7 @@ struct LinkPin {
 
 struct JointedLinks {
   std::vector<JointedLink> links;  // each after its carrier
-  std::vector<JointRatio> ratios;
+  std::vector<JointRatio> ratios;  // each after those of the joint that it follows
   std::vector<LinkPin> pins;
   // Where one of the links touches another link of the robot. Metal on metal: assumed, range
   // 1e5-1e7, 1e2-1e4 and 0.2-0.6.

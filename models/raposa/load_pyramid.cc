@@ -41,7 +41,7 @@ void VisitFeet(Keys& keys, PyramidModel& pyramid) {
   });
   keys.Number("friction", pyramid.foot_friction, NonNegative(3.0));
   keys.Number("stiffness_n_per_m", pyramid.foot_stiffness_n_per_m, Between(100.0, 1e7));
-  keys.Number(Optional("damping_ratio"), pyramid.foot_damping_ratio, NonNegative(5.0));
+  keys.Number("damping_ratio", pyramid.foot_damping_ratio, NonNegative(5.0));
   keys.Number("diameter_m", pyramid.foot_diameter_m, Between(0.003, 0.3));
 }
 
@@ -52,7 +52,7 @@ void VisitCable(Keys& keys, TetherCableModel& cable) {
   keys.Number("mass_kg_per_m", cable.mass_kg_per_m, Between(1e-3, 5.0));
   keys.Number("diameter_m", cable.diameter_m, Positive(0.1));
   keys.Number("axial_stiffness_n", cable.axial_stiffness_n, Between(10.0, 1e6));
-  keys.Number(Optional("damping_ns_per_m"), cable.damping_ns_per_m, NonNegative(1e4));
+  keys.Number("damping_ns_per_m", cable.damping_ns_per_m, NonNegative(1e4));
   keys.Number("friction_on_ground", cable.friction_on_ground, NonNegative(2.0));
 }
 

@@ -30,7 +30,7 @@ struct GuideModel {
 struct TetherCableModel {
   double length_m = 0.0, slack_m = 0.0;
   double mass_kg_per_m = 0.0, diameter_m = 0.0, axial_stiffness_n = 0.0;
-  double damping_ns_per_m = 20.0;  // of the cable's length; assumed, 5-100
+  double damping_ns_per_m = 0.0;  // of its length
   double friction_on_ground = 0.0;
 };
 
@@ -41,7 +41,7 @@ struct PyramidModel {
   GuideModel guide;
   std::vector<Eigen::Vector2d> p_P_soles;  // x, y; at the height of the ground
   double foot_friction = 0.0, foot_stiffness_n_per_m = 0.0;
-  double foot_damping_ratio = 0.4;  // share of critical, rubber; assumed, 0.2-0.6
+  double foot_damping_ratio = 0.0;  // share of critical
   double foot_diameter_m = 0.0;     // by which the feet sink into soil
   TetherCableModel cable;
 };

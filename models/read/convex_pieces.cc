@@ -17,7 +17,7 @@ constexpr std::size_t kMostCornersOfPiece = 100;
 // How deep a hollow of a piece may be by HACD's measure, in which the mesh has the size 1000: the
 // first of these that gives solid pieces. Less leaves gaps between the pieces of a thin ring.
 constexpr double kConcavities[] = {20.0, 40.0, 80.0};
-// A piece thinner than this share of the mesh's diagonal is flat.
+// Points in a layer thinner than this share of their diagonal are flat.
 constexpr double kFlat = 1e-4;
 // Of its cost: 0.1 prefers compact pieces a little, as its authors do.
 constexpr double kCompactness = 0.1;
@@ -64,20 +64,6 @@ TriangleMesh Joined(const TriangleMesh& mesh) {
 }
 
 using Points = std::vector<Eigen::Vector3d>;
-
-bool IsFlat(const Points& points, double thin_m) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& p : points) spread += (p - middle) * (p - middle).transpose();
-  const Eigen::Vector3d across = EigenOfSymmetric(spread).vectors.col(0);
-  double low = 0.0, high = 0.0;
-  for (const Eigen::Vector3d& p : points) {
-    low = std::min(low, across.dot(p - middle));
-    high = std::max(high, across.dot(p - middle));
-  }
-  return high - low < thin_m;
-}
 
 std::vector<Points> Part(const TriangleMesh& mesh, double concavity) {
   const bool turned = SignedVolume(mesh) < 0.0;
@@ -133,16 +119,32 @@ bool IsConvex(const TriangleMesh& mesh) {
   return true;
 }
 
+bool IsFlat(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() < 4) return true;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) {
+    middle += p / static_cast<double>(points.size());
+    box.extend(p);
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::Vector3d across = EigenOfSymmetric(spread).vectors.col(0);
+  double low = 0.0, high = 0.0;
+  for (const Eigen::Vector3d& p : points) {
+    low = std::min(low, across.dot(p - middle));
+    high = std::max(high, across.dot(p - middle));
+  }
+  return high - low <= kFlat * box.diagonal().norm();
+}
+
 std::vector<std::vector<Eigen::Vector3d>> ConvexPieces(const TriangleMesh& mesh) {
   DOCKYARD_CHECK(!mesh.triangles.empty() && mesh.triangles.size() <= kMostPartedTriangles);
   const TriangleMesh joined = Joined(mesh);
-  const double thin_m = kFlat * Diagonal(mesh);
+  if (joined.triangles.empty()) return {mesh.vertices};
   for (const double concavity : kConcavities) {
     std::vector<Points> pieces = Part(joined, concavity);
-    const bool solid = std::none_of(pieces.begin(), pieces.end(), [&](const Points& piece) {
-      return piece.size() < 4 || IsFlat(piece, thin_m);
-    });
-    if (solid) return pieces;
+    if (!pieces.empty() && std::none_of(pieces.begin(), pieces.end(), IsFlat)) return pieces;
   }
   return {joined.vertices};
 }

@@ -19,6 +19,9 @@ inline constexpr double kFilledHollow = 0.04;
 /// most, spread evenly over those of the mesh.
 bool IsConvex(const TriangleMesh& mesh);
 
+/// Whether all points lie within 1e-4 of the diagonal of a plane: no solid.
+bool IsFlat(const std::vector<Eigen::Vector3d>& points);
+
 /// The corners of convex solids that fill the mesh, by hierarchical approximate decomposition
 /// (Mamou and Ghorbel, ICIP 2009, in Bullet's library HACD). Each time the same; one piece, the
 /// mesh's hull, where there are no others that all have a thickness. The mesh has a triangle and at

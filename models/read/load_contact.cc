@@ -17,17 +17,17 @@ void VisitContact(Keys& keys, ContactMaterial& material, Presence needed) {
               material.rolling_resistance_m, NonNegative(1.0));
 }
 
-void VisitStop(Keys& keys, JointStop& stop) {
-  keys.Number({"stiffness_nm_per_rad", "N m/rad", "torque over the turn beyond the stop"},
+void VisitStop(Keys& keys, JointStop& stop, Presence needed) {
+  keys.Number({"stiffness_nm_per_rad", "N m/rad", "torque over the turn beyond the stop", needed},
               stop.stiffness_nm_per_rad, Positive(1e7));
-  keys.Number({"damping_nms_per_rad", "N m s/rad", "torque over the rate of that turn"},
+  keys.Number({"damping_nms_per_rad", "N m s/rad", "torque over the rate of that turn", needed},
               stop.damping_nms_per_rad, NonNegative(1e5));
 }
 
-void VisitSlideStop(Keys& keys, JointStop& stop) {
-  keys.Number({"stiffness_n_per_m", "N/m", "force over the travel beyond the stop"},
+void VisitSlideStop(Keys& keys, JointStop& stop, Presence needed) {
+  keys.Number({"stiffness_n_per_m", "N/m", "force over the travel beyond the stop", needed},
               stop.stiffness_nm_per_rad, Positive(1e9));
-  keys.Number({"damping_ns_per_m", "N s/m", "force over the speed of that travel"},
+  keys.Number({"damping_ns_per_m", "N s/m", "force over the speed of that travel", needed},
               stop.damping_nms_per_rad, NonNegative(1e7));
 }
 

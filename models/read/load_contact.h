@@ -14,9 +14,9 @@ void VisitYield(Keys& keys, ContactMaterial& material, Presence needed = Presenc
 /// rolling_resistance_m may always be left out.
 void VisitContact(Keys& keys, ContactMaterial& material, Presence needed = Presence::kRequired);
 
-/// Of a hinge.
-void VisitStop(Keys& keys, JointStop& stop);
+/// Of a hinge. needed: as of VisitContact.
+void VisitStop(Keys& keys, JointStop& stop, Presence needed = Presence::kRequired);
 /// Of a slide.
-void VisitSlideStop(Keys& keys, JointStop& stop);
+void VisitSlideStop(Keys& keys, JointStop& stop, Presence needed = Presence::kRequired);
 
 }  // namespace dockyard

@@ -25,8 +25,8 @@ void VisitJoint(Keys& keys, JointFile& joint) {
   keys.Number(unset("start_m", "m", "travel of a slide at the start"), joint.start_m,
               Between(-100.0, 100.0));
   keys.Mapping(Unset("stop"), [&](Keys& in) {
-    VisitStop(in, joint.stop);
-    VisitSlideStop(in, joint.slide_stop);
+    VisitStop(in, joint.stop, Presence::kUnset);
+    VisitSlideStop(in, joint.slide_stop, Presence::kUnset);
   });
   keys.Mapping(Unset("spring"), [&](Keys& in) {
     in.Number(unset("stiffness_nm_per_rad", "N m/rad", "of a spring at the joint"),
@@ -88,7 +88,7 @@ class Taking {
         return ready;
       });
     }
-    for (const UrdfJoint& joint : urdf_.joints) TakeRatio(joint);
+    for (const UrdfJoint& joint : urdf_.joints) TakeRatio(joint, {});
     return std::move(taken_);
   }
 
@@ -109,6 +109,7 @@ class Taking {
     each.X_PL = joint.X_PJ;
     each.axis_L = joint.axis_J;
     each.slides = joint.type == "prismatic";
+    if (each.slides) each.stop = kSlideStop;
     each.damping_nms_per_rad = joint.damping_nms_per_rad;
     each.friction_nm = joint.friction_nm;
     if (joint.type == "continuous") return;
@@ -118,8 +119,12 @@ class Taking {
     throw ConfigError(joint.place + ": expected a <limit> with upper above lower");
   }
 
-  void TakeRatio(const UrdfJoint& joint) {
-    if (joint.mimics.empty()) return;
+  /// After the ratio of the joint that it follows. followers: that wait for this one.
+  void TakeRatio(const UrdfJoint& joint, std::vector<std::string> followers) {
+    if (joint.mimics.empty() || Has(with_ratio_, joint.name)) return;
+    if (Has(followers, joint.name)) {
+      throw ConfigError(joint.place + ": <mimic>: joints that follow each other in a circle");
+    }
     const auto other =
         std::find_if(urdf_.joints.begin(), urdf_.joints.end(),
                      [&](const UrdfJoint& each) { return each.name == joint.mimics; });
@@ -129,13 +134,17 @@ class Taking {
                         "found '" +
                         joint.mimics + "'");
     }
+    followers.push_back(joint.name);
+    TakeRatio(*other, followers);
     taken_.ratios.push_back(
         {NumberOf(joint.child), NumberOf(other->child), joint.mimic_ratio, joint.mimic_offset_rad});
+    with_ratio_.push_back(joint.name);
   }
 
   const UrdfModel& urdf_;
   const OwnLinks& own_;
   JointedLinks taken_;
+  std::vector<std::string> with_ratio_;  // joints
 };
 
 /// Refuses keys of one item of a list.
@@ -161,6 +170,7 @@ void TakeMotor(const ItemReader& in, const JointFile& file, JointedLink& link) {
   const double rate = link.slides ? file.rate_m_s : file.rate_rad_s;
   if (!file.motor) {
     if (!std::isnan(rate)) in.Refuse("a motor with the rate");
+    if (!std::isnan(file.lead_m_per_turn)) in.Refuse("a motor with lead_m_per_turn");
     return;
   }
   if (link.slides == std::isnan(file.lead_m_per_turn)) {
@@ -198,10 +208,77 @@ void TakeKeys(const ItemReader& in, const JointFile& file, JointedLink& link) {
   Put(stop.damping_nms_per_rad, link.stop.damping_nms_per_rad);
   Put(link.slides ? file.spring_n_per_m : file.spring_nm_per_rad, link.spring_nm_per_rad);
   Put(link.slides ? file.rest_m : file.rest_rad, link.rest_rad);
-  if (link.start_rad < link.low_rad || link.start_rad > link.high_rad) {
-    in.Refuse("a start within the joint's limits");
+  if (!std::isfinite(link.low_rad) && any({stop.stiffness_nm_per_rad, stop.damping_nms_per_rad})) {
+    in.Refuse("no stop: the joint is continuous");
+  }
+  if (any({file.rest_rad, file.rest_m}) && link.spring_nm_per_rad == 0.0) {
+    in.Refuse("the spring's stiffness with where it is free");
   }
   TakeMotor(in, file, link);
+}
+
+bool Follows(const JointedLinks& taken, int link) {
+  return std::any_of(taken.ratios.begin(), taken.ratios.end(),
+                     [&](const JointRatio& ratio) { return ratio.link == link; });
+}
+
+void TakeListed(const YamlReader& in, const OwnLinks& own, const JointsFile& file,
+                JointedLinks& taken) {
+  std::vector<std::string> listed;
+  for (std::size_t i = 0; i < file.joints.size(); ++i) {
+    const JointFile& joint = file.joints[i];
+    const ItemReader item(in, "joints", i);
+    const auto named = [&](const JointedLink& link) { return link.joint == joint.name; };
+    const auto link = std::find_if(taken.links.begin(), taken.links.end(), named);
+    if (link == taken.links.end()) {
+      item.Refuse("the name of a joint of the URDF file that moves a further link, found '" +
+                  joint.name + "'");
+    }
+    if (Has(listed, joint.name)) item.Refuse("each joint once, found '" + joint.name + "' again");
+    listed.push_back(joint.name);
+    TakeKeys(item, joint, *link);
+    const auto number =
+        static_cast<int>(own.links.size()) + static_cast<int>(link - taken.links.begin());
+    if (Follows(taken, number) && !(std::isnan(joint.start_rad) && std::isnan(joint.start_m))) {
+      item.Refuse("no start of a joint that follows another");
+    }
+  }
+}
+
+void TakePins(const YamlReader& in, const OwnLinks& own, const JointsFile& file,
+              JointedLinks& taken) {
+  const auto number_of = [&](const ItemReader& item, const std::string& name) {
+    const int link = NumberOf(own, taken, name);
+    if (link < 0) item.Refuse("the name of a link that moves, found '" + name + "'");
+    return link;
+  };
+  const auto own_count = static_cast<int>(own.links.size());
+  for (std::size_t i = 0; i < file.pins.size(); ++i) {
+    const ItemReader item(in, "pins", i);
+    LinkPin pin = file.pins[i].pin;
+    pin.a = number_of(item, file.pins[i].link);
+    pin.b = number_of(item, file.pins[i].to);
+    if (pin.a == pin.b) item.Refuse("two links");
+    if (pin.a < own_count && pin.b < own_count) item.Refuse("a pin of at least one further link");
+    const auto same = [&](const LinkPin& other) {
+      return other.a == pin.a && other.b == pin.b && other.p_A == pin.p_A;
+    };
+    if (std::any_of(taken.pins.begin(), taken.pins.end(), same)) item.Refuse("each pin once");
+    taken.pins.push_back(pin);
+  }
+}
+
+// Those of followers depend on others: sim/vehicles/jointed_links.h.
+void CheckStarts(const UrdfModel& welded, const OwnLinks& own, const JointedLinks& taken) {
+  for (std::size_t i = 0; i < taken.links.size(); ++i) {
+    const JointedLink& each = taken.links[i];
+    if (Follows(taken, static_cast<int>(own.links.size() + i))) continue;
+    if (each.start_rad >= each.low_rad && each.start_rad <= each.high_rad) continue;
+    throw ConfigError(welded.Joint(each.joint).place +
+                      ": expected a start within its limits, found " +
+                      NumberText(each.slides ? each.start_rad : Degrees(each.start_rad)) +
+                      (each.slides ? " m" : " deg"));
+  }
 }
 
 }  // namespace
@@ -223,29 +300,9 @@ JointedLinks TakeJointedLinks(const YamlReader& in, const UrdfModel& welded, con
     throw ConfigError(welded.file + ": expected at most " + std::to_string(kMostJoints) +
                       " joints that move in addition to the system's own");
   }
-  for (std::size_t i = 0; i < file.joints.size(); ++i) {
-    const ItemReader item(in, "joints", i);
-    const auto named = [&](const JointedLink& link) { return link.joint == file.joints[i].name; };
-    const auto link = std::find_if(taken.links.begin(), taken.links.end(), named);
-    if (link == taken.links.end()) {
-      item.Refuse("the name of a joint of the URDF file that moves a further link, found '" +
-                  file.joints[i].name + "'");
-    }
-    TakeKeys(item, file.joints[i], *link);
-  }
-  const auto number_of = [&](const ItemReader& item, const std::string& name) {
-    const int link = NumberOf(own, taken, name);
-    if (link < 0) item.Refuse("the name of a link that moves, found '" + name + "'");
-    return link;
-  };
-  for (std::size_t i = 0; i < file.pins.size(); ++i) {
-    const ItemReader item(in, "pins", i);
-    LinkPin pin = file.pins[i].pin;
-    pin.a = number_of(item, file.pins[i].link);
-    pin.b = number_of(item, file.pins[i].to);
-    if (pin.a == pin.b) item.Refuse("two links");
-    taken.pins.push_back(pin);
-  }
+  TakeListed(in, own, file, taken);
+  TakePins(in, own, file, taken);
+  CheckStarts(welded, own, taken);
   return taken;
 }
 

@@ -138,16 +138,21 @@ Visual UrdfParts::ReadVisual(const urdf::Visual& in, const std::string& place) {
   return visual;
 }
 
-void UrdfParts::AddHulls(const Collision& collision, const TriangleMesh& mesh,
+void UrdfParts::AddHulls(const Collision& collision, const urdf::Mesh& named,
                          const std::string& place, std::vector<Collision>& collisions) {
+  const Mesh read = ReadMesh(named, place);
+  const TriangleMesh& mesh = *read;
   const auto add = [&](const std::vector<Eigen::Vector3d>& corners) {
     collisions.push_back(collision);
     collisions.back().shape = HullShape{corners};
     Spend(corners.size(), place);
   };
+  if (IsFlat(mesh.vertices)) Refuse(place, "collision: expected a mesh with a thickness");
   if (IsConvex(mesh)) return add(mesh.vertices);
   if (mesh.triangles.size() <= kMostPartedTriangles) {
-    const auto pieces = ConvexPieces(mesh);
+    auto& pieces = pieces_[named.filename + " " + NumberText(named.scale.x) + " " +
+                           NumberText(named.scale.y) + " " + NumberText(named.scale.z)];
+    if (pieces.empty()) pieces = ConvexPieces(mesh);
     for (const std::vector<Eigen::Vector3d>& piece : pieces) add(piece);
     if (pieces.size() > 1) return;
   } else {
@@ -169,7 +174,7 @@ void UrdfParts::ReadCollision(const urdf::Collision& in, const std::string& plac
   collision.X_LG = ToPose(in.origin, place, "collision");
   const urdf::Geometry& geometry = *in.geometry;
   if (geometry.type == urdf::Geometry::MESH) {
-    return AddHulls(collision, *ReadMesh(geometry, place), place, collisions);
+    return AddHulls(collision, static_cast<const urdf::Mesh&>(geometry), place, collisions);
   }
   if (geometry.type == urdf::Geometry::BOX) {
     const auto& box = static_cast<const urdf::Box&>(geometry);

@@ -35,7 +35,7 @@ class UrdfParts {
   /// A mesh with hollows becomes several.
   void ReadCollision(const urdf::Collision& in, const std::string& place,
                      std::vector<Collision>& collisions);
-  void AddHulls(const Collision& collision, const TriangleMesh& mesh, const std::string& place,
+  void AddHulls(const Collision& collision, const urdf::Mesh& named, const std::string& place,
                 std::vector<Collision>& collisions);
   Mesh ReadMesh(const urdf::Geometry& geometry, const std::string& place);
   void Spend(std::size_t corners, const std::string& place);
@@ -44,7 +44,8 @@ class UrdfParts {
   MeshAddresses addresses_;
   MeshStore* store_;
   std::size_t parts_left_ = 2000, corners_left_ = 6 * kMaxMeshTriangles;
-  std::map<std::string, Mesh> meshes_;  // by path
+  std::map<std::string, Mesh> meshes_;                                       // by path
+  std::map<std::string, std::vector<std::vector<Eigen::Vector3d>>> pieces_;  // by name and scale
   std::vector<std::string> warnings_;
 };
 

@@ -209,6 +209,10 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
                       " at the start");
   }
 
+  if (const std::string wrong = StartsWrong(world); !wrong.empty()) {
+    throw ConfigError(scenario.start_place + ": expected further links of the rover that start " +
+                      "within their joints' limits and above the ground: " + wrong);
+  }
   if (const std::string links = StartsInItself(world.rover, world.arm_start_rad); !links.empty()) {
     throw ConfigError(scenario.start_place +
                       ": expected links of the rover that are clear of each "

@@ -36,6 +36,10 @@ void CableTether::AddShapes(const std::vector<Collision>& collisions, const Carr
       AddBody(CablePrism(cylinder->radius_m, cylinder->length_m, kSides, 0.0, friction), own);
     } else if (const auto* sphere = std::get_if<SphereShape>(&collision.shape)) {
       AddBody(CablePrism(sphere->radius_m, 2.0 * sphere->radius_m, kSides, 0.0, friction), own);
+    } else {
+      const ConvexBody solid = SolidOf(collision);
+      own.X_LB = carried.X_LB * Pose3{Eigen::Matrix3d::Identity(), solid.centre};
+      AddBody(CableRock(solid, friction), own);
     }
   }
 }

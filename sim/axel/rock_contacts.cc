@@ -11,7 +11,7 @@ namespace {
 // The list of near rocks is good for this way of a link [m].
 constexpr double kSlack_m = 0.05;
 // More features than any link has with one rock.
-constexpr int kMostFeatures = 1024;
+constexpr std::int64_t kMostFeatures = 1 << 20;
 
 ConvexBody BoxHull(const Eigen::Vector3d& size_m) {
   std::vector<Eigen::Vector3d> points;
@@ -66,8 +66,8 @@ RockContacts::Shape RockContacts::ShapeOf(const std::vector<Collision>& collisio
       shape.cylinders.push_back(AlongZ(X, -half_m, half_m, cylinder->radius_m));
     } else if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) {
       shape.cylinders.push_back(AlongZ(X, -sphere->radius_m, sphere->radius_m, sphere->radius_m));
-    } else if (const auto* hull = std::get_if<HullShape>(&part.shape)) {
-      shape.hulls.push_back(X * HullOf(hull->points));
+    } else if (std::holds_alternative<HullShape>(part.shape)) {
+      shape.hulls.push_back(SolidOf(part));
     } else if (const auto* turned = std::get_if<TurnedShape>(&part.shape)) {
       for (std::size_t i = 1; i < turned->profile_m.size(); ++i) {
         const Eigen::Vector2d &a = turned->profile_m[i - 1], &b = turned->profile_m[i];
@@ -125,7 +125,7 @@ void RockContacts::Find(const RoverBody& rover, std::vector<RockContact>& contac
       found_.clear();
       AddContacts(shape, X_GL, rocks_[rock]);
       for (const BodyContact& contact : found_) {
-        const int surfaces = rock * rover.link_count() + static_cast<int>(i);
+        const int surfaces = rock * rover.link_count() + static_cast<int>(i);  // of both
         contacts.push_back({link, surfaces * kMostFeatures + contact.feature, contact});
       }
     }

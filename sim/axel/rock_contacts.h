@@ -1,6 +1,7 @@
 // Where the rover touches rocks: its wheels by their outline, arm and body by their shapes.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "models/axel/axel_model.h"
@@ -14,7 +15,7 @@ namespace dockyard::axel {
 /// A contact of a link with a rock, in G.
 struct RockContact {
   RoverLink link = RoverLink::kBody;
-  int pair = 0;  // of rock and feature; the same from step to step
+  std::int64_t pair = 0;  // of rock and feature; the same from step to step
   BodyContact at;
 };
 

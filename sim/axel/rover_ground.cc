@@ -14,25 +14,31 @@ GroundMaterial MakeMaterial(const ArmTipModel& tip, double mass_kg) {
 
 RoverGround::RoverGround(const RoverModel& rover) {
   // The mass that the ground meets at the end of a slender arm on a hinge: a third of the arm's.
-  tip_material_ = MakeMaterial(rover.tip, rover.arm.mass_kg / 3.0);
+  const GroundMaterial of_tip = MakeMaterial(rover.tip, rover.arm.mass_kg / 3.0);
   // Four corners carry a body that has tumbled.
-  body_material_ = MakeMaterial(rover.tip, rover.mass_kg() / 4.0);
+  const GroundMaterial of_body = MakeMaterial(rover.tip, rover.mass_kg() / 4.0);
   for (double x : {rover.arm_length_m, rover.arm_length_m - rover.tip.length_m}) {
     Rim rim;
     rim.link = RoverLink::kArm;
     rim.p_L = Eigen::Vector3d(x, 0.0, 0.0);
     rim.axis_L = Eigen::Vector3d::UnitX();
     rim.radius_m = rover.tip.radius_m;
+    rim.material = of_tip;
     rims_.push_back(rim);
   }
   for (int i = 0; i < LinkCount(rover); ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     if (link != RoverLink::kBody && i < kOwnLinkCount) continue;
-    for (const Collision& part : LinkOf(rover, link).collisions) AddShape(link, part);
+    const LinkModel& model = LinkOf(rover, link);
+    // The ground may carry a further link alone, such as a trailer's wheel.
+    const GroundMaterial material =
+        link == RoverLink::kBody ? of_body : MakeMaterial(rover.tip, model.mass_kg);
+    for (const Collision& part : model.collisions) AddShape(link, material, part);
   }
 }
 
-void RoverGround::AddShape(RoverLink link, const Collision& collision) {
+void RoverGround::AddShape(RoverLink link, const GroundMaterial& material,
+                           const Collision& collision) {
   const Pose3& X = collision.X_LG;
   const auto Add = [&](const Eigen::Vector3d& p_G, const Eigen::Vector3d& axis_G, double radius) {
     Rim rim;
@@ -40,6 +46,7 @@ void RoverGround::AddShape(RoverLink link, const Collision& collision) {
     rim.p_L = X * p_G;
     rim.axis_L = X.R * axis_G;
     rim.radius_m = radius;
+    rim.material = material;
     rims_.push_back(rim);
   };
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
@@ -76,8 +83,8 @@ void RoverGround::AddForces(const HeightGrid& ground, double dt_s, RoverBody& ro
     const LinkMotion& link = rover.motion(rim.link);
     const Eigen::Vector3d p_G = LowestPoint(rim, link.X_GL);
     const bool is_tip = rim.link == RoverLink::kArm;
-    const Eigen::Vector3d force_G = GroundForce(ground, is_tip ? tip_material_ : body_material_,
-                                                p_G, link.VelocityAt(p_G), dt_s, rim.contact);
+    const Eigen::Vector3d force_G =
+        GroundForce(ground, rim.material, p_G, link.VelocityAt(p_G), dt_s, rim.contact);
     if (force_G.isZero(0.0)) continue;
     rover.AddForce(rim.link, force_G, p_G);
     if (is_tip) on_tip += force_G;

@@ -29,12 +29,12 @@ class RoverGround {
     Eigen::Vector3d p_L = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_L = Eigen::Vector3d::Zero();
     double radius_m = 0.0;
+    GroundMaterial material{};
     GroundPoint contact;
   };
-  void AddShape(RoverLink link, const Collision& collision);
+  void AddShape(RoverLink link, const GroundMaterial& material, const Collision& collision);
   static Eigen::Vector3d LowestPoint(const Rim& rim, const Pose3& X_GL);
 
-  GroundMaterial tip_material_, body_material_;
   std::vector<Rim> rims_;
   double tip_force_n_ = 0.0;
 };

@@ -18,6 +18,9 @@ constexpr int kRolls = 4;
 constexpr double kInRock_m = 1e-3;
 // Round parts count as polygons that hold them, 2 % wider [m].
 constexpr double kInItself_m = 3e-3;
+// Deeper than this in the ground a link would be thrown up: the wheels sink by some millimetres
+// more. Assumed, range 10-30 mm [m].
+constexpr double kInGround_m = 20e-3;
 
 // Of a wheel with its axle along this pose's y: the lowest height of its centre above the ground
 // and the rocks.
@@ -88,6 +91,29 @@ std::string StartsInRock(const WorldSetup& setup) {
     if (link == RoverLink::kLeftWheel || link == RoverLink::kRightWheel) continue;
     if (rocks.Depth(link, rover.motion(link).X_GL) > kInRock_m)
       return LinkOf(setup.rover, link).name;
+  }
+  return "";
+}
+
+std::string StartsWrong(const WorldSetup& setup) {
+  RigidWorld world(Eigen::Vector3d::Zero());
+  const RoverBody rover(world, setup.rover, RoverStart(setup, setup.ground), setup.arm_start_rad,
+                        false);
+  for (int i = kOwnLinkCount; i < rover.link_count(); ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    const JointedLink& each =
+        setup.rover.further.links[static_cast<std::size_t>(i - kOwnLinkCount)];
+    const double angle_rad = rover.joint_rad(link);
+    if (angle_rad < each.low_rad || angle_rad > each.high_rad) {
+      return "'" + each.link.name + "' starts beyond its joint's limits";
+    }
+    for (const Collision& part : each.link.collisions) {
+      for (const Eigen::Vector3d& p_L : SolidOf(part).vertices) {
+        const Eigen::Vector3d p_G = rover.motion(link).X_GL * p_L;
+        if (setup.ground.Height(p_G.x(), p_G.y()) - p_G.z() < kInGround_m) continue;
+        return "'" + each.link.name + "' starts in the ground";
+      }
+    }
   }
   return "";
 }

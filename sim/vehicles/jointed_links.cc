@@ -1,5 +1,6 @@
 #include "sim/vehicles/jointed_links.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,14 @@ std::size_t At(int i) { return static_cast<std::size_t>(i); }
 // Of the joint, for each radian of its motor's output.
 double TravelPerRad(const JointedLink& link) {
   return link.slides ? link.motor->lead_m_per_turn / (2.0 * kPi) : 1.0;
+}
+
+// Of the link alone about its joint's axis; of a slide its mass.
+double OwnInertia(const JointedLink& each) {
+  const LinkModel& link = each.link;
+  if (each.slides) return link.mass_kg;
+  const Eigen::Vector3d out = each.axis_L.cross(link.p_LoCom_L);
+  return each.axis_L.dot(link.I_LCom_L * each.axis_L) + link.mass_kg * out.squaredNorm();
 }
 
 bool HasStops(const JointedLink& link) {
@@ -91,14 +100,17 @@ void LimitJoints(const JointedLinks& further, const TreePlaces& places, int body
 JointDrives::JointDrives(const JointedLinks& further, const TreePlaces& places,
                          const TreeBody& tree) {
   const std::size_t own = places.size() - further.links.size();
-  // What a shaft turns with all other joints free, its rotor included.
   const TreeBody::Inertia inverse = tree.MassMatrix().inverse();
   for (std::size_t i = 0; i < further.links.size(); ++i) {
     const JointedLink& each = further.links[i];
     if (!each.motor) continue;
     const double travel = TravelPerRad(each);
     const int link = places[own + i];
-    const double inertia = travel * travel / inverse(tree.SpeedOf(link), tree.SpeedOf(link));
+    // Of the shaft with all other joints free, its rotor included. The load may come
+    // nearer to its axis, where a servo for the start would be too stiff: at most its own link.
+    const double at_start = 1.0 / inverse(tree.SpeedOf(link), tree.SpeedOf(link));
+    const double alone = OwnInertia(each) + tree.link(link).rotor_kg_m2;
+    const double inertia = travel * travel * std::min(at_start, alone);
     Drive& drive = drives_.emplace_back(Drive{.link = link,
                                               .travel_per_rad = travel,
                                               .rate_rad_s = each.motor->rate_rad_s / travel,
@@ -118,9 +130,11 @@ void JointDrives::Step(bool running, double step_s, TreeBody& tree) {
     if (running && drive.rate_rad_s != 0.0) {
       // It turns back where it still comes to rest before the stop.
       const double slope = drive.model.max_accel_rad_s2;
-      const double margin_rad = drive.rate_rad_s * drive.rate_rad_s / (2.0 * slope);
-      if (angle_rad > drive.high_rad - margin_rad) drive.rate_rad_s = -std::abs(drive.rate_rad_s);
-      if (angle_rad < drive.low_rad + margin_rad) drive.rate_rad_s = std::abs(drive.rate_rad_s);
+      const double stopping_rad =
+          std::abs(speed_rad_s) * (step_s + std::abs(speed_rad_s) / (2.0 * slope));
+      const double left_rad =
+          drive.rate_rad_s > 0.0 ? drive.high_rad - angle_rad : angle_rad - drive.low_rad;
+      if (left_rad <= stopping_rad) drive.rate_rad_s = -drive.rate_rad_s;
       command = {.mode = MotorMode::kVelocity,
                  .target = drive.rate_rad_s,
                  .accel_rad_s2 = slope,

@@ -46,7 +46,7 @@ class JointDrives {
   struct Drive {
     int link = 0;                          // in the tree
     double travel_per_rad = 1.0;           // of the joint, for a turn of the motor's output
-    double rate_rad_s = 0.0;               // of the motor, with the sign of the present direction
+    double rate_rad_s = 0.0;               // of the motor, in its present direction
     double low_rad = 0.0, high_rad = 0.0;  // of the motor, at which it turns back
     MotorModel model;
     MotorDrive motor;

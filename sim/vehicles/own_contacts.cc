@@ -43,7 +43,8 @@ std::vector<Eigen::Vector3d> Outermost(const std::vector<Eigen::Vector3d>& point
 int Bit(int link) { return 1 << link; }
 
 // The links that each one does not meet, as bits.
-std::vector<int> JoinedTo(const JointedLinks& further, std::size_t count) {
+std::vector<int> JoinedTo(const JointedLinks& further, const std::vector<LinkParts>& parts) {
+  const std::size_t count = parts.size();
   std::vector<int> joined(count, 0);
   const auto join = [&](int a, int b) {
     joined[static_cast<std::size_t>(a)] |= Bit(b);
@@ -55,7 +56,11 @@ std::vector<int> JoinedTo(const JointedLinks& further, std::size_t count) {
   }
   for (int i = own; i < static_cast<int>(count); ++i) {
     join(i, i);
-    join(i, further.links[static_cast<std::size_t>(i - own)].carrier);
+    for (int at = i; at >= own;) {
+      at = further.links[static_cast<std::size_t>(at - own)].carrier;
+      join(i, at);
+      if (!parts[static_cast<std::size_t>(at)].collisions.empty()) break;
+    }
   }
   for (const LinkPin& pin : further.pins) join(pin.a, pin.b);
   return joined;
@@ -74,10 +79,10 @@ ConvexBody SolidOf(const Collision& collision) {
       AddRing(X, cylinder->radius_m, end * cylinder->length_m, points);
     }
   } else if (const auto* sphere = std::get_if<SphereShape>(&collision.shape)) {
-    const double r = sphere->radius_m, waist_m = r * std::tan(kPi / 8.0);
-    for (const double side : {-1.0, 1.0}) {
-      AddRing(X, r, side * waist_m, points);
-      AddRing(X, waist_m, side * r, points);
+    // The corners of a polygon of 12 sides about the ball, turned about z.
+    const double corner_m = sphere->radius_m / std::cos(kPi / 12.0);
+    for (const double up : {-75.0, -45.0, -15.0, 15.0, 45.0, 75.0}) {
+      AddRing(X, corner_m * std::cos(Radians(up)), corner_m * std::sin(Radians(up)), points);
     }
   } else if (const auto* hull = std::get_if<HullShape>(&collision.shape)) {
     for (const Eigen::Vector3d& p : Outermost(hull->points)) points.push_back(X * p);
@@ -90,7 +95,7 @@ ConvexBody SolidOf(const Collision& collision) {
 OwnContacts::OwnContacts(RigidWorld& world, int body, const JointedLinks& further,
                          const TreePlaces& places, const std::vector<LinkParts>& parts)
     : world_(world), contacts_(world) {
-  const std::vector<int> joined = JoinedTo(further, parts.size());
+  const std::vector<int> joined = JoinedTo(further, parts);
   const auto add = [&](std::size_t link, SolidPart part) {
     part.at = {body, places[link]};
     part.is_bar = true;

@@ -5,21 +5,16 @@
 
 #include "models/axel/load_axel.h"
 #include "support/bad_files.h"
+#include "support/urdf_text.h"
 
 namespace dockyard::axel {
 
 /// Text of a URDF link that is a solid box about its own origin, drawn and touched as one.
 inline std::string SolidLink(const std::string& name, double mass_kg, const Eigen::Vector3d& size,
                              bool touches = true) {
-  const auto text = [](double x) { return NumberText(x); };
-  const Eigen::Vector3d s = size.cwiseProduct(size);
-  const std::string box = "<geometry><box size=\"" + text(size.x()) + " " + text(size.y()) + " " +
-                          text(size.z()) + "\"/></geometry>";
-  return "<link name=\"" + name + "\"><inertial><mass value=\"" + text(mass_kg) +
-         "\"/><inertia ixx=\"" + text(mass_kg * (s.y() + s.z()) / 12) + "\" iyy=\"" +
-         text(mass_kg * (s.x() + s.z()) / 12) + "\" izz=\"" + text(mass_kg * (s.x() + s.y()) / 12) +
-         "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><visual>" + box + "</visual>" +
-         (touches ? "<collision>" + box + "</collision>" : "") + "</link>\n";
+  const std::string box = BoxGeometry(size);
+  return "<link name=\"" + name + "\">" + InertialOfBox(mass_kg, size) + "<visual>" + box +
+         "</visual>" + (touches ? "<collision>" + box + "</collision>" : "") + "</link>\n";
 }
 
 /// Text of a joint named "to_CHILD". more: further elements.

@@ -182,5 +182,16 @@ TEST(ConvexPieces, OfAMeshOfTooManyTrianglesAreItsHullWithAWarning) {
               HasSubstr("a mesh with hollows and 640 triangles: its convex hull counts"));
 }
 
+TEST(ConvexPieces, AFlatMeshIsRefusedWithItsPlace) {
+  const ScratchFolder folder;
+  EXPECT_THAT(
+      MessageOf(
+          [] {
+            WithCollision({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+          },
+          folder),
+      HasSubstr("collision: expected a mesh with a thickness"));
+}
+
 }  // namespace
 }  // namespace dockyard

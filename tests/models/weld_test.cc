@@ -6,6 +6,7 @@
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
 #include "support/bad_files.h"
+#include "support/urdf_text.h"
 
 namespace dockyard {
 namespace {
@@ -18,16 +19,11 @@ std::string Origin(const std::string& xyz, const std::string& rpy) {
 
 /// A link that is a solid box of this mass about its own origin, drawn and collided as one.
 std::string BoxLink(const std::string& name, double mass_kg, const Eigen::Vector3d& size) {
-  const auto text = [](double x) { return std::to_string(x); };
-  const Eigen::Vector3d s = size.cwiseProduct(size);
-  const std::string box = "<geometry><box size=\"" + text(size.x()) + " " + text(size.y()) + " " +
-                          text(size.z()) + "\"/></geometry>";
-  return "<link name=\"" + name + "\"><inertial><mass value=\"" + text(mass_kg) +
-         "\"/><inertia ixx=\"" + text(mass_kg * (s.y() + s.z()) / 12) + "\" iyy=\"" +
-         text(mass_kg * (s.x() + s.z()) / 12) + "\" izz=\"" + text(mass_kg * (s.x() + s.y()) / 12) +
-         "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><visual name=\"v_" + name + "\">" +
-         Origin("0.01 0.02 0.03", "0.3 0.2 0.1") + box + "</visual><collision name=\"c_" + name +
-         "\">" + Origin("0.03 0.02 0.01", "0.1 0.2 0.3") + box + "</collision></link>\n";
+  const std::string box = BoxGeometry(size);
+  return "<link name=\"" + name + "\">" + InertialOfBox(mass_kg, size) + "<visual name=\"v_" +
+         name + "\">" + Origin("0.01 0.02 0.03", "0.3 0.2 0.1") + box +
+         "</visual><collision name=\"c_" + name + "\">" + Origin("0.03 0.02 0.01", "0.1 0.2 0.3") +
+         box + "</collision></link>\n";
 }
 
 std::string Joint(const std::string& type, const std::string& parent, const std::string& child,
@@ -273,7 +269,7 @@ TEST(RoverLinks, TheNameOfAnotherBodyIsRefused) {
   EXPECT_THAT(
       MessageWith("axel", BoxLink("station", 1, {0.1, 0.1, 0.1}) +
                               Joint("continuous", "body", "station", "")),
-      HasSubstr("expected another name than 'station', which is another body's in the logs"));
+      HasSubstr("expected another name than 'station', which something else has in the logs"));
 }
 
 TEST(RoverLinks, ALinkOnNoJointIsRefusedWithItsLine) {

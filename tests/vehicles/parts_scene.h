@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "models/parts/gravity.h"
 #include "models/rocky7/load_robot.h"
 #include "sim/base/random.h"
 #include "sim/rigid/rocks.h"
+#include "sim/vehicles/mast_body.h"
 #include "sim/vehicles/surface_points.h"
 #include "vehicles/stone_rig.h"
 
@@ -70,9 +72,10 @@ inline double DeepestOverlap(const PartContacts& parts, const RigidWorld& world,
   return deepest_m;
 }
 
-/// How far the deepest contact of a part of the mast with the body yields where the torque that the
-/// shoulder's motor has now presses it there, by the lever about the shoulder. A mast that is
-/// folded back presses with its can some centimetres from that axis. 0: nothing presses.
+/// How far at most the deepest contact of a part of the mast with the body yields where the torque
+/// that the shoulder's motor has now and the mast's weight press it there, by its lever about the
+/// shoulder, friction on their side. A mast that is folded back presses with its can some
+/// centimetres from that axis. 0: nothing presses.
 inline double YieldUnderShoulder(const ArmRig& rig, int a, int b) {
   const int mast = std::max(a, b), other = std::min(a, b);
   if (rig.parts.part(mast).groups.group != part_group::kMast) return 0.0;
@@ -92,11 +95,22 @@ inline double YieldUnderShoulder(const ArmRig& rig, int a, int b) {
     if ((contact.p_G - deepest->p_G).norm() > 1e-3) return;
     stiffness_n_per_m += contact.share * contact.material.stiffness_n_per_m;
   });
-  const LinkMotion& link = rig.body.tree().motion(rig.body.mast_link(kMastShoulder));
-  const double lever_m =
-      std::abs(deepest->normal_G.dot(link.X_GL.R.col(1).cross(deepest->p_G - link.X_GL.p)));
-  const int motor = rig.first_motor() + kArmMotors + kMastShoulder;
-  return std::abs(rig.body.output(motor).torque_nm()) / (lever_m * stiffness_n_per_m);
+  const TreeBody& tree = rig.body.tree();
+  const Pose3& X_GS = tree.motion(rig.body.mast_link(kMastShoulder)).X_GL;
+  const Eigen::Vector3d axis_G = X_GS.R.col(1), down_G = -Eigen::Vector3d::UnitZ();
+  double load_nm =
+      std::abs(rig.body.output(rig.first_motor() + kArmMotors + kMastShoulder).torque_nm());
+  for (const int i : {kMastShoulder, kMastElbow, kMastCan}) {
+    const LinkModel& model = tree.link(rig.body.mast_link(i)).model;
+    const Eigen::Vector3d com_G = tree.motion(rig.body.mast_link(i)).X_GL * model.p_LoCom_L;
+    load_nm +=
+        std::abs(kEarthGravity_m_s2 * model.mass_kg * axis_G.dot((com_G - X_GS.p).cross(down_G)));
+  }
+  const Eigen::Vector3d lever_m = axis_G.cross(deepest->p_G - X_GS.p);
+  const double along_m = std::abs(deepest->normal_G.dot(lever_m));
+  const double across_m = (lever_m - deepest->normal_G.dot(lever_m) * deepest->normal_G).norm();
+  const double pressing_m = along_m - deepest->material.friction * across_m;
+  return pressing_m > 0.0 ? load_nm / (pressing_m * stiffness_n_per_m) : along_m;
 }
 
 // Contacts yield by 1 mm under 20 N, the most that the arm presses with; blows press deeper.

@@ -76,7 +76,7 @@ TEST(FurtherJoints, KeysThatDoNotFitTheJointAreRefusedWithTheirPlace) {
   EXPECT_THAT(one("name: to_camera, start_deg: 1"),
               HasSubstr("expected keys in metres: the joint slides"));
   EXPECT_THAT(one("name: to_mast, start_deg: 170"),
-              HasSubstr("expected a start within the joint's limits"));
+              HasSubstr("joint 'to_mast': expected a start within its limits, found 170 deg"));
   EXPECT_THAT(one("name: to_mast, rate_deg_s: 5"), HasSubstr("expected a motor with the rate"));
   EXPECT_THAT(one("name: to_mast, colour: red"), HasSubstr("colour"));
   const auto driven = [](const std::string& name, const std::string& keys) {
@@ -85,6 +85,12 @@ TEST(FurtherJoints, KeysThatDoNotFitTheJointAreRefusedWithTheirPlace) {
   EXPECT_THAT(driven("to_camera", ""), HasSubstr("expected lead_m_per_turn of the slide's motor"));
   EXPECT_THAT(driven("to_mast", "    lead_m_per_turn: 0.1\n"),
               HasSubstr("expected no lead_m_per_turn: the joint turns"));
+  EXPECT_THAT(one("name: to_mast, lead_m_per_turn: 0.1"),
+              HasSubstr("expected a motor with lead_m_per_turn"));
+  EXPECT_THAT(one("name: to_mast, spring: {rest_deg: 20}"),
+              HasSubstr("expected the spring's stiffness with where it is free"));
+  EXPECT_THAT(one("name: to_mast, start_deg: 5}, {name: to_mast"),
+              HasSubstr("joints[1]: expected each joint once, found 'to_mast' again"));
   EXPECT_THAT(driven("to_mast", "    rate_deg_s: 400\n"),
               HasSubstr("expected a rate of no more than motor.max_speed_rad_s"));
 }
@@ -95,8 +101,59 @@ TEST(FurtherJoints, PinsAndFollowersNeedWhatTheyName) {
               HasSubstr("pins[0]: expected the name of a link that moves, found 'boom'"));
   EXPECT_THAT(pin("link: mast, to: mast, at_m: [0, 0, 0]"), HasSubstr("expected two links"));
   EXPECT_EQ(pin("link: camera, to: body, at_m: [0, 0, 0]"), "(no error)");
+  EXPECT_THAT(pin("link: arm, to: body, at_m: [0, 0, 0]"),
+              HasSubstr("expected a pin of at least one further link"));
+  EXPECT_THAT(pin("link: camera, to: body, at_m: [0, 0, 0]}, {link: camera, to: body, at_m: "
+                  "[0, 0, 0]"),
+              HasSubstr("pins[1]: expected each pin once"));
   EXPECT_THAT(Message("", "<mimic joint=\"to_boom\"/>"),
               HasSubstr("<mimic>: expected the name of another joint that moves, found 'to_boom'"));
+}
+
+TEST(FurtherJoints, FollowersComeAfterThoseThatTheyFollowAndInNoCircle) {
+  const auto followers = [](const std::string& of_a, const std::string& of_b,
+                            const std::string& of_c) {
+    std::string urdf;
+    for (const auto& [name, more] :
+         {std::pair("a", of_a), std::pair("b", of_b), std::pair("c", of_c)}) {
+      urdf += SolidLink(name, 1.0, {0.1, 0.1, 0.1}, false) +
+              JointTo(name, "body", "continuous", "0 0 0.5", "0 0 1", more);
+    }
+    return urdf;
+  };
+  const auto mimic = [](const std::string& joint) { return "<mimic joint=\"to_" + joint + "\"/>"; };
+  const RoverModel rover = AxelWith(followers(mimic("b"), mimic("c"), ""), "");
+  const auto number = [&](const std::string& name) {
+    return 4 + static_cast<int>(&LinkBy(rover, name) - rover.further.links.data());
+  };
+  ASSERT_EQ(rover.further.ratios.size(), 2u);
+  EXPECT_EQ(rover.further.ratios[0].link, number("b"));
+  EXPECT_EQ(rover.further.ratios[1].link, number("a"));
+  const ScratchFolder folder;
+  EXPECT_THAT(
+      MessageOf([&] { AxelWith(followers(mimic("b"), mimic("c"), mimic("a")), ""); }, folder),
+      HasSubstr("<mimic>: joints that follow each other in a circle"));
+  EXPECT_THAT(MessageOf(
+                  [&] {
+                    AxelWith(followers(mimic("b"), "", ""),
+                             "joints: [{name: to_a, start_deg: 5}]\n");
+                  },
+                  folder),
+              HasSubstr("expected no start of a joint that follows another"));
+}
+
+TEST(FurtherJoints, AStartOutsideOfTheLimitsIsRefusedWithoutAKeyToo) {
+  const ScratchFolder folder;
+  EXPECT_THAT(MessageOf(
+                  [&] {
+                    AxelWith(SolidLink("mast", 2.0, {0.1, 0.1, 0.5}) +
+                                 JointTo("mast", "body", "revolute", "0 0 0.6", "0 0 1",
+                                         "<limit lower=\"0.2\" upper=\"2\" effort=\"0\" "
+                                         "velocity=\"0\"/>"),
+                             "");
+                  },
+                  folder),
+              HasSubstr("joint 'to_mast': expected a start within its limits, found 0 deg"));
 }
 
 TEST(FurtherJoints, FrictionOfTheRoversOwnJointsIsRefused) {

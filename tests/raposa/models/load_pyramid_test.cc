@@ -36,6 +36,8 @@ FileValues ValuesOf(const PyramidModel& p) {
                     {"cable.mass_kg_per_m", p.cable.mass_kg_per_m},
                     {"cable.diameter_m", p.cable.diameter_m},
                     {"cable.axial_stiffness_n", p.cable.axial_stiffness_n},
+                    {"cable.damping_ns_per_m", p.cable.damping_ns_per_m},
+                    {"feet.damping_ratio", p.foot_damping_ratio},
                     {"cable.friction_on_ground", p.cable.friction_on_ground}};
   for (std::size_t i = 0; i < p.p_P_soles.size(); ++i) {
     const std::string sole = "feet.soles_m[" + std::to_string(i) + "].";

@@ -42,7 +42,11 @@ FileValues ValuesOf(const RobotModel& r) {
                     {"belts.drift_time_s", b.drift_time_s},
                     {"belts.dead_band_m_s", b.dead_band_m_s},
                     {"doors.pinion_radius_m", d.pinion_radius_m},
+                    {"arm_stop.stiffness_nm_per_rad", r.arm_stop.stiffness_nm_per_rad},
+                    {"arm_stop.damping_nms_per_rad", r.arm_stop.damping_nms_per_rad},
                     {"doors.travel_m", d.travel_m},
+                    {"doors.stop.stiffness_n_per_m", d.stop.stiffness_nm_per_rad},
+                    {"doors.stop.damping_ns_per_m", d.stop.damping_nms_per_rad},
                     {"doors.plate_m", d.plate_m},
                     {"doors.closed_radius_m", d.closed_radius_m},
                     {"doors.friction", d.contact.friction},
@@ -107,9 +111,10 @@ TEST(RaposaFile, WithoutStiffnessOfContactsHasThatOfBefore) {
   std::istringstream lines(Slurp(File()));
   std::string kept;
   for (std::string line; std::getline(lines, line);) {
+    const bool of_stop = line.starts_with("    ");
     const bool of_contact = line.find("stiffness_n_per_m") != std::string::npos ||
                             line.find("damping_ns_per_m") != std::string::npos;
-    if (!of_contact) kept += line + "\n";
+    if (of_stop || !of_contact) kept += line + "\n";
   }
   folder.Write(kName, kept);
   const RobotModel robot = LoadRobot((folder.path() / kName).string());
