@@ -268,7 +268,7 @@ void TakePins(const YamlReader& in, const OwnLinks& own, const JointsFile& file,
   }
 }
 
-// Those of followers depend on others: sim/vehicles/jointed_links.h.
+// A follower starts where others put it, which the run knows.
 void CheckStarts(const UrdfModel& welded, const OwnLinks& own, const JointedLinks& taken) {
   for (std::size_t i = 0; i < taken.links.size(); ++i) {
     const JointedLink& each = taken.links[i];

@@ -125,7 +125,7 @@ void RockContacts::Find(const RoverBody& rover, std::vector<RockContact>& contac
       found_.clear();
       AddContacts(shape, X_GL, rocks_[rock]);
       for (const BodyContact& contact : found_) {
-        const int surfaces = rock * rover.link_count() + static_cast<int>(i);  // of both
+        const int surfaces = rock * rover.link_count() + static_cast<int>(i);
         contacts.push_back({link, surfaces * kMostFeatures + contact.feature, contact});
       }
     }

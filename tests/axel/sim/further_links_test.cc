@@ -399,6 +399,25 @@ TEST(FurtherLink, ThatTheArmMeetsIsPushedAndNotEntered) {
   EXPECT_NEAR(nearest_m, 0.0, 1e-3);
 }
 
+TEST(FurtherLink, ThatStartsInTheGroundOrBeyondItsLimitsIsNamed) {
+  WorldSetup setup = TestSetup(CompactGravel(), {6.0, 0.0, kPi});
+  EXPECT_EQ(StartsWrong(setup), "");
+  // A plough whose lower side is 0.35 m below the axle, which is 0.3 m above the ground.
+  const std::string plough = SolidLink("plough", 1.0, {0.1, 0.1, 0.1});
+  setup.rover =
+      AxelWith(plough + JointTo("plough", "body", "continuous", "-0.5 0 -0.3", "0 0 1"), "");
+  EXPECT_EQ(StartsWrong(setup), "'plough' starts in the ground");
+  setup.rover =
+      AxelWith(plough + JointTo("plough", "body", "continuous", "-0.5 0 -0.2", "0 0 1"), "");
+  EXPECT_EQ(StartsWrong(setup), "");
+  // It starts 9 rad from the arm, which turns by less than 4 rad from the front.
+  setup.rover =
+      AxelWith(plough + JointTo("plough", "body", "revolute", "-0.5 0 0.3", "0 0 1",
+                                Limits("-1", "1") + "<mimic joint=\"arm_joint\" offset=\"9\"/>"),
+               "");
+  EXPECT_EQ(StartsWrong(setup), "'plough' starts beyond its joint's limits");
+}
+
 TEST(FurtherLink, ThatStartsInAnotherIsNamed) {
   EXPECT_EQ(StartsInItself(Axel(), 0.3), "");
   // Lower, it hangs in the arm.
