@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "controller/base/check.h"
@@ -17,6 +18,15 @@ using Eigen::Vector3d;
 
 // Of an island before it is solved along conjugate directions. Numerical: most end sooner.
 constexpr int kPlainSweeps = 10;
+
+// Two numbers at a time, at any address.
+typedef double Pair __attribute__((vector_size(16)));
+Pair Load(const double* from) {
+  Pair pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
+void Store(const Pair& pair, double* to) { std::memcpy(to, &pair, sizeof pair); }
 
 // The largest eigenvalue of a symmetric matrix of two rows.
 double Largest(double a, double b, double off) {
@@ -88,16 +98,23 @@ void ConstraintSystem::AddContact(const ContactLaw& law, const Vector3d& impulse
   contact.bias_m_s =
       law.gap_m > 0.0 ? law.gap_m / step_s_ : law.stiffness_n_per_m * law.gap_m / give;
   contact.along = 1.0 / (own(0, 0) + contact.softness);
-  contact.unbend_m_s = law.stiffness_n_per_m / give * law.bend_m;
+  const Vector2d left_m = law.bend_kept * law.bend_m;
+  contact.unbend_m_s = law.stiffness_n_per_m / give * left_m;
+  if (law.bend_kept != 1.0) {
+    contact.unbend_m_s += law.damping_ns_per_m / (step_s_ * give) * (left_m - law.bend_m);
+    contact.law.bend_m = left_m;
+  }
   contact.across = 1.0 / (Largest(own(1, 1), own(2, 2), own(1, 2)) + contact.softness);
   contacts_.push_back(contact);
 }
 
 void ConstraintSystem::AddRolling(double resistance_m, const Vector3d& impulse,
-                                  const ConstraintEnds& ends) {
+                                  const ConstraintEnds& ends, std::size_t contacts) {
+  DOCKYARD_CHECK(contacts > 0 && contacts <= contacts_.size());
   Rolling rolling;
   rolling.rows = AddRows(impulse, ends);
-  rolling.contact = contacts_.size() - 1;
+  rolling.contact = contacts_.size() - contacts;
+  rolling.end = contacts_.size();
   rolling.resistance_m = resistance_m;
   const Matrix3d& own = rolling.rows.own;
   const double largest = Largest(own(0, 0), own(1, 1), own(0, 1));
@@ -140,11 +157,17 @@ Vector3d ConstraintSystem::VelocityOf(const Rows& rows) const {
 
 void ConstraintSystem::Push(Rows& rows, const Vector3d& more) {
   const double* number = numbers_.data() + rows.numbers;
+  const Pair more_x{more[0], more[0]}, more_y{more[1], more[1]}, more_z{more[2], more[2]};
   for (std::size_t e = 0; e < 2; ++e) {
-    using Numbers = Eigen::Map<const Eigen::VectorXd>;
     const Index count = rows.count[e];
-    const Numbers x(number, count), y(number + count, count), z(number + 2 * count, count);
-    speeds_.segment(rows.first[e], count) += x * more[0] + y * more[1] + z * more[2];
+    const double *x = number, *y = x + count, *z = y + count;
+    double* const speed = speeds_.data() + rows.first[e];
+    Index i = 0;
+    for (; i + 1 < count; i += 2) {
+      const Pair sum = Load(x + i) * more_x + Load(y + i) * more_y + Load(z + i) * more_z;
+      Store(Load(speed + i) + sum, speed + i);
+    }
+    if (i < count) speed[i] += x[i] * more[0] + y[i] * more[1] + z[i] * more[2];
     number += 3 * count;
   }
 }
@@ -249,7 +272,11 @@ void ConstraintSystem::SolveRolling(Rolling& rolling, Sweep& sweep) {
   const Vector3d before = rolling.rows.impulse;
   Vector3d wanted = before - rolling.across * VelocityOf(rolling.rows);
   wanted[2] = 0.0;
-  const double most = rolling.resistance_m * contacts_[rolling.contact].rows.impulse[0];
+  double load = contacts_[rolling.contact].rows.impulse[0];
+  for (std::size_t i = rolling.contact + 1; i < rolling.end; ++i) {
+    load += contacts_[i].rows.impulse[0];
+  }
+  const double most = rolling.resistance_m * load;
   const double size = wanted.norm();
   if (size > most) wanted *= most / size;
   rolling.rows.impulse = wanted;

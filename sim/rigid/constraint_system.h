@@ -45,8 +45,10 @@ class ConstraintSystem {
   /// Rows: along the normal, along two directions across it. impulse: a first guess [N s].
   void AddContact(const ContactLaw& law, const Eigen::Vector3d& impulse,
                   const ConstraintEnds& ends);
-  /// Of the contact that was added last. Rows: turning about the two directions across, and none.
-  void AddRolling(double resistance_m, const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
+  /// Of the given number of contacts that were added last. Rows: turning about the two directions
+  /// across, and none.
+  void AddRolling(double resistance_m, const Eigen::Vector3d& impulse, const ConstraintEnds& ends,
+                  std::size_t contacts = 1);
   /// Two points that a spring and a damper hold together. Rows: along three axes; gap_m: along
   /// them, of the first point from the second.
   void AddTie(double stiffness_n_per_m, double damping_ns_per_m, const Eigen::Vector3d& gap_m,
@@ -93,7 +95,7 @@ class ConstraintSystem {
   };
   struct Rolling {
     Rows rows;
-    std::size_t contact = 0;
+    std::size_t contact = 0, end = 0;  // from the first to before the last
     double resistance_m = 0.0, across = 0.0;
   };
   struct Tie {

@@ -17,6 +17,9 @@ struct ContactLaw {
   double damping_ns_per_m = 0.0;
   // How far the surfaces are bent across while they stick [m]; the step advances it.
   Eigen::Vector2d bend_m{0.0, 0.0};
+  // The share of that bend that is left when the step begins: below 1 where a tyre rolls and its
+  // bent part leaves the ground. The damper acts on all change of the bend.
+  double bend_kept = 1.0;
 };
 
 /// Projected Gauss-Seidel ends after this number of sweeps, or once no impulse changes by more than

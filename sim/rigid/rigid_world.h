@@ -29,8 +29,11 @@ struct WorldContact {
   std::int64_t pair = 0;  // of the two surfaces; the same from step to step
   Eigen::Vector3d p_G{0, 0, 0}, normal_G{0, 0, 1};  // from b to a
   double gap_m = 0.0;                               // < 0: pressed in
-  double share = 1.0;  // of the material's stiffness and damping: a line counts by two points
+  double share = 1.0;      // of the material's stiffness and damping: a line counts by two points
+  double bend_kept = 1.0;  // share of the last step's bend that goes on (contact_law.h)
   ContactMaterial material{};
+  // The number of contacts, this one and those before it, whose load gives its rolling resistance.
+  int rolling_contacts = 1;
   // A contact goes on from the nearest one of its pair in the last step, no further away than this.
   double same_within_m = std::numeric_limits<double>::infinity();
   // Solved: on a [N s, N m s], and how far the surfaces are bent across.

@@ -17,6 +17,17 @@ constexpr double kStepsAhead = 2.0;
 // A normal that turned by more than 120 deg in a step is of another contact.
 constexpr double kLeastCosine = -0.5;
 
+// sum += rows * by; rows of zeros, such as most of a tree's Jacobian, are left out.
+void AddProduct(const TreeBody::FewImpulses& rows, const Matrix3d& by, TreeBody::FewImpulses& sum) {
+  const double* row = rows.data();
+  double* to = sum.data();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i, row += 3, to += 3) {
+    const double x = row[0], y = row[1], z = row[2];
+    if (x == 0.0 && y == 0.0 && z == 0.0) continue;
+    for (int k = 0; k < 3; ++k) to[k] += x * by(0, k) + y * by(1, k) + z * by(2, k);
+  }
+}
+
 // A vector at a contact whose normal turns from one step to the next, and which itself turns about
 // the normal by an angle.
 Vector3d Carried(const Vector3d& v, const Vector3d& from, const Vector3d& to, double about_rad) {
@@ -97,11 +108,11 @@ void RigidWorld::FillEnds(const BodyLink& a, const BodyLink& b, const Vector3d& 
       end.answer.setZero(link.moving.rows(), 3);
     }
     const Matrix3d about = turning ? along : Matrix3d(CrossMatrix(p_G - link.p_G) * along);
-    end.jacobian += link.turning.lazyProduct(about);
-    end.answer += link.turning_answer.lazyProduct(about);
+    AddProduct(link.turning, about, end.jacobian);
+    AddProduct(link.turning_answer, about, end.answer);
     if (turning) return;
-    end.jacobian += link.moving.lazyProduct(along);
-    end.answer += link.answer.lazyProduct(along);
+    AddProduct(link.moving, along, end.jacobian);
+    AddProduct(link.answer, along, end.answer);
   };
   AddLink(a, axes, ends_[0]);
   AddLink(b, -axes, ends_[a.body == b.body ? 0 : 1]);
@@ -171,14 +182,14 @@ void RigidWorld::AddContactRows(double step_s) {
     system_.AddContact(
         {contact.gap_m, material.friction, contact.share * material.stiffness_n_per_m,
          contact.share * material.damping_ns_per_m,
-         axes.rightCols<2>().transpose() * contact.bend_G},
+         axes.rightCols<2>().transpose() * contact.bend_G, contact.bend_kept},
         axes.transpose() * contact.impulse_G, ends_);
     if (material.rolling_resistance_m <= 0.0) continue;
     Matrix3d across;
     across << axes.rightCols<2>(), Vector3d::Zero();
     FillEnds(contact.a, contact.b, contact.p_G, across, true);
-    system_.AddRolling(material.rolling_resistance_m, across.transpose() * contact.rolling_G,
-                       ends_);
+    system_.AddRolling(material.rolling_resistance_m, across.transpose() * contact.rolling_G, ends_,
+                       Place(contact.rolling_contacts));
   }
 }
 
