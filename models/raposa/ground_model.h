@@ -1,17 +1,14 @@
 // A ground under belts: how it carries them, and what it looks like.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "models/parts/belt.h"
+#include "models/parts/floor_model.h"
 #include "models/parts/soil_model.h"
 
 namespace dockyard::raposa {
-
-/// What a surface is made of, for its spectrum.
-enum class GroundMaterialKind : std::uint8_t { kFloor, kSoil, kGrass, kBrick, kGrey };
 
 struct GroundModel {
   std::string name, source;

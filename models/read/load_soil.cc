@@ -1,6 +1,6 @@
 #include "models/read/load_soil.h"
-#include "models/read/load_model_yaml.h"
 
+#include "models/read/changed_yaml.h"
 #include "models/read/config_error.h"
 #include "models/read/load_spreads.h"
 #include "models/read/other_kind.h"
@@ -18,9 +18,7 @@ void VisitPlates(Keys& keys, SoilModel& soil) {
 }  // namespace
 
 SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
-  YamlNode root = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(root, *changes.told);
-  if (changes.built != nullptr) PutBuilt(root, *changes.built);
+  const YamlNode root = LoadChangedYaml(file, changes);
   return AdvisingOtherKinds("ground", [&] {
     SoilModel soil;
     ReadKeys(root, "", [&](Keys& keys) { VisitSoil(keys, soil); });

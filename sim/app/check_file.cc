@@ -9,6 +9,7 @@
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
 #include "models/read/load_cameras.h"
+#include "models/read/load_floor.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_obstacles.h"
 #include "models/read/load_rover.h"
@@ -53,6 +54,12 @@ FileCheck CheckSoil(const std::string& file) {
   const SoilModel soil = LoadSoil(file);
   return {"soil", soil.name + ": n " + NumberText(soil.n) + ", k_phi " + NumberText(soil.k_phi) +
                       ", cohesion " + NumberText(soil.cohesion_pa) + " Pa"};
+}
+
+FileCheck CheckFloor(const std::string& file) {
+  const FloorModel floor = LoadFloor(file);
+  return {"floor", floor.name + ": friction " + NumberText(floor.friction) +
+                       ", rolling resistance " + NumberText(floor.rolling_resistance_m) + " m"};
 }
 
 FileCheck CheckWheel(const std::string& file) {
@@ -151,10 +158,11 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   if (model.Find("k_phi") || model.Find("cohesion_pa") || model.Find("friction_angle_deg")) {
     return CheckSoil(file);
   }
+  if (model.Find("friction") && model.Find("grain")) return CheckFloor(file);
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(root.place.Text() +
                     ": expected the keys of a scenario, campaign, published experiment, board, "
-                    "soil, wheel, camera, rig, rover on wheels, obstacles "
+                    "soil, floor, wheel, camera, rig, rover on wheels, obstacles "
                     "or of a system's own model, found none of them");
 }
 

@@ -81,11 +81,11 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     const std::string file = folder.Write(name, text);
     return MessageOf([&] { CheckFile(file, Systems()); }, folder);
   };
-  EXPECT_EQ(
-      message("a.yaml", "colour: red\n"),
-      "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
-      "soil, wheel, camera, rig, rover on wheels, obstacles or of a system's own model, found "
-      "none of them");
+  EXPECT_EQ(message("a.yaml", "colour: red\n"),
+            "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
+            "soil, floor, wheel, camera, rig, rover on wheels, obstacles or of a system's own "
+            "model, found "
+            "none of them");
   EXPECT_EQ(
       message("a.txt", "x"),
       "a.txt: expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .xacro, .stl, .obj, .dae, "
