@@ -12,7 +12,9 @@ namespace dockyard {
 /// relaxation of a tyre with a stiff carcass is a.
 struct TyreModel {
   double radius_m = 0.0;
-  double width_m = 0.0;  // of the tread on the floor; 0: it touches in one point
+  // Of the tread on the floor; 0: it touches in one point. That suits a caster: two points on a
+  // light fork take the solver twice the time.
+  double width_m = 0.0;
   // A sphere. A ball caster turns in its socket in all directions: its link stays as it is, and its
   // grip is the socket's drag over the load, over the floor's friction.
   bool ball = false;
