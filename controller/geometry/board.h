@@ -4,6 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace dockyard {
@@ -15,6 +18,37 @@ struct Fiducial {
   // the viewer sees it): -pi/4, 0, pi/4 or pi/2 [rad]. The bar has a half-turn symmetry.
   double rotation = 0.0;
 };
+
+/// The squares of a printed tag, row by row from its top left.
+struct TagCells {
+  int across = 0;     // a side, all that is printed
+  int at_border = 0;  // a side of the square between the detector's corners, centred
+  int margin = 0;     // outermost rings that are white in every tag of the family
+  std::vector<std::uint8_t> black{};  // across * across: 1 black, 0 white
+
+  bool IsBlack(int column, int row) const {
+    return black[static_cast<std::size_t>(row * across + column)] != 0;
+  }
+};
+
+/// One square tag. Frame T: the tag's centre, x right and y down as it is printed.
+struct SquareTag {
+  std::string family{};  // a name of controller/vision/tags/tag_code.h
+  int id = 0;
+  Eigen::Vector2d p_BT = Eigen::Vector2d::Zero();  // [m]
+  double size_m = 0.0;                             // side of the square between its corners
+  double rotation = 0.0;  // of T, counter-clockwise as the viewer sees it [rad]
+  TagCells cells{};
+
+  double cell_m() const { return size_m / cells.at_border; }
+  double printed_m() const { return cells.across * cell_m(); }
+};
+
+/// A point of the tag on its board.
+Eigen::Vector2d OnBoard(const SquareTag& tag, const Eigen::Vector2d& p_TQ);
+/// The tag's corners between which size_m lies, on its board: top left, top right, bottom right,
+/// bottom left as it is printed.
+std::array<Eigen::Vector2d, 4> CornersOf(const SquareTag& tag);
 
 /// Which poses of a board are accepted. Any other pose is refused, and so is a naming of the marks
 /// that needs one.
@@ -34,6 +68,7 @@ struct FiducialBoard {
   double bar_length_m = 0.0, bar_width_m = 0.0;  // zero: plain discs
   std::vector<Fiducial> fiducials;
   Upright upright{};
+  std::vector<SquareTag> tags{};  // in place of discs: a board has one or the other
 
   bool HasBars() const { return bar_length_m > 0.0; }
 };

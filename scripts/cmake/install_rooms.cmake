@@ -48,7 +48,7 @@ function(dockyard_install_package)
     INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/dockyard-config-version.cmake
     COMPATIBILITY SameMinorVersion)  # before 1.0 a minor version may change anything
-  install(FILES scripts/cmake/dockyard_opencv.cmake
+  install(FILES scripts/cmake/dockyard_apriltag.cmake scripts/cmake/dockyard_opencv.cmake
     ${PROJECT_BINARY_DIR}/dockyard-config.cmake ${PROJECT_BINARY_DIR}/dockyard-config-version.cmake
     DESTINATION ${package} COMPONENT dockyard_controller)
 endfunction()

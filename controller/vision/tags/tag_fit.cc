@@ -1,0 +1,199 @@
+#include "controller/vision/tags/tag_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "controller/base/median.h"
+#include "controller/vision/descend.h"
+#include "controller/vision/tags/tag_pattern.h"
+#include "controller/vision/tags/tag_problem.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kBlur_px = 0.7;  // first guess: a pixel's own 0.3 and a lens's of about 0.6
+
+/// The printed squares but their rim, which may border on anything: part of a cell, in cells.
+double RimOf(const TagCells& cells, double cell_px) {
+  return std::min(std::max(0.3, 1.0 / cell_px), 0.5 + 0.25 * cells.margin);
+}
+
+struct Bounds {
+  int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
+};
+
+/// Pixels about the printed pattern.
+std::optional<Bounds> BoundsOf(const GrayImage& image, const TagCells& cells,
+                               const Eigen::Matrix3d& plane_from_cells,
+                               const StraightPlane& plane) {
+  const double half = 0.5 * cells.across;
+  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+  constexpr int kSteps = 8;  // a side: a wide lens bends it
+  for (int i = 0; i <= kSteps; ++i) {
+    const double t = half * (2.0 * i / kSteps - 1.0);
+    for (const Eigen::Vector2d& cell : {Eigen::Vector2d(t, -half), Eigen::Vector2d(t, half),
+                                        Eigen::Vector2d(-half, t), Eigen::Vector2d(half, t)}) {
+      const auto pixel = plane.ToPixel((plane_from_cells * cell.homogeneous()).hnormalized());
+      if (!pixel || !pixel->allFinite()) return std::nullopt;
+      low = low.cwiseMin(*pixel);
+      high = high.cwiseMax(*pixel);
+    }
+  }
+  return Bounds{.x0 = std::max(0, static_cast<int>(low.x())),
+                .y0 = std::max(0, static_cast<int>(low.y())),
+                .x1 = std::min(image.width - 1, static_cast<int>(high.x()) + 1),
+                .y1 = std::min(image.height - 1, static_cast<int>(high.y()) + 1)};
+}
+
+/// Pixels near edges of the pattern, and some of its plain parts for the grey levels.
+std::vector<GreySample> SamplesOf(const GrayImage& image, const TagCells& cells,
+                                  const Eigen::Matrix3d& plane_from_cells,
+                                  const StraightPlane& plane, double cell_px) {
+  constexpr double kNearby_px = 1.0;  // blur by which an edge is near: 3 px of it
+  constexpr std::size_t kMost = 2500, kPlainStep = 8;
+  std::vector<GreySample> edges, plain;
+  const std::optional<Bounds> bounds = BoundsOf(image, cells, plane_from_cells, plane);
+  if (!bounds) return {};
+  const Eigen::Matrix3d to_cells = plane_from_cells.inverse();
+  const double most = 0.5 * cells.across - RimOf(cells, cell_px);
+  const Eigen::Vector2d blur = Eigen::Vector2d::Constant(kNearby_px / cell_px);
+  for (int y = bounds->y0; y <= bounds->y1; ++y) {
+    for (int x = bounds->x0; x <= bounds->x1; ++x) {
+      const Eigen::Vector2d point = plane.FromPixel({x, y});
+      const Eigen::Vector2d cell = (to_cells * point.homogeneous()).hnormalized();
+      if (!(cell.cwiseAbs().maxCoeff() < most)) continue;
+      const double share = BlacknessAt(cells, cell, blur).share;
+      const bool edge = share > 0.003 && share < 0.997;
+      (edge ? edges : plain).push_back({point, static_cast<double>(image.at(x, y))});
+    }
+  }
+  const std::size_t step = 1 + edges.size() / kMost;
+  std::vector<GreySample> samples;
+  for (std::size_t i = 0; i < edges.size(); i += step) samples.push_back(edges[i]);
+  for (std::size_t i = 0; i < plain.size(); i += kPlainStep * step) samples.push_back(plain[i]);
+  return samples;
+}
+
+/// Grey levels that fit the pattern at its first place, even light assumed.
+void SetLevels(const TagCells& cells, const std::vector<GreySample>& samples,
+               const Eigen::Matrix3d& to_cells, double cell_px, TagEstimate* at) {
+  Eigen::Matrix2d A = Eigen::Matrix2d::Identity() * 1e-9;
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  const Eigen::Vector2d blur = Eigen::Vector2d::Constant(kBlur_px / cell_px);
+  for (const GreySample& sample : samples) {
+    const Eigen::Vector2d cell = (to_cells * sample.point.homogeneous()).hnormalized();
+    const Eigen::Vector2d row(1.0, BlacknessAt(cells, cell, blur).share);
+    A += row * row.transpose();
+    b += row * sample.grey;
+  }
+  const Eigen::Vector2d levels = A.ldlt().solve(b);
+  at->white = {levels[0], 0.0, 0.0};
+  at->dark = {levels[1], 0.0, 0.0};
+}
+
+/// Standard deviation of normal errors, wild ones left aside; of rounding at the least.
+double NoiseOf(const std::vector<double>& errors) {
+  constexpr double kRounding = 0.289;  // sqrt(1/12), of whole grey levels
+  std::vector<double> sizes;
+  for (const double error : errors) sizes.push_back(std::abs(error));
+  return std::max(kRounding, 1.4826 * Median(sizes));
+}
+
+/// Of a corner, one axis, over all corners [px].
+double SigmaOf(const TagEquations& equations, const TagEstimate& at, const StraightPlane& plane) {
+  const Eigen::Matrix<double, kTagUnknowns, kTagUnknowns> covariance =
+      equations.A.ldlt().solve(Eigen::Matrix<double, kTagUnknowns, kTagUnknowns>::Identity());
+  double variance = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector2d& corner = at.corners[static_cast<std::size_t>(k)];
+    Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
+    constexpr double kStep = 1e-3;
+    const auto here = plane.ToPixel(corner);
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto there = plane.ToPixel(corner + kStep * Eigen::Vector2d::Unit(axis));
+      if (here && there) J.col(axis) = (*there - *here) / kStep;
+    }
+    variance += (J * covariance.block<2, 2>(2 * k, 2 * k) * J.transpose()).trace() / 8.0;
+  }
+  return std::sqrt(variance);
+}
+
+}  // namespace
+
+std::optional<TagFit> FitTag(const GrayImage& image, const TagCells& cells,
+                             const TagCorners& corners, const Camera* camera) {
+  const StraightPlane plane(corners, camera);
+  TagEstimate at{.corners = {}, .blur_px = kBlur_px};
+  for (std::size_t k = 0; k < 4; ++k) at.corners[k] = plane.FromPixel(corners[k]);
+  const std::optional<Eigen::Matrix3d> H = FromCells(at.corners, cells.at_border);
+  if (!H) return std::nullopt;
+  const double perimeter =
+      (at.corners[0] - at.corners[1]).norm() + (at.corners[1] - at.corners[2]).norm() +
+      (at.corners[2] - at.corners[3]).norm() + (at.corners[3] - at.corners[0]).norm();
+  const double cell_px = perimeter / (4.0 * cells.at_border);
+  const std::vector<GreySample> samples = SamplesOf(image, cells, *H, plane, cell_px);
+  if (samples.size() < 3 * kTagUnknowns) return std::nullopt;
+  SetLevels(cells, samples, H->inverse(), cell_px, &at);
+  constexpr double kLeastContrast = 8.0;  // grey levels; assumed, 5-15
+  if (-at.dark[0] < kLeastContrast) return std::nullopt;
+  TagProblem problem(cells, samples);
+  const TagCorners first = at.corners;
+  problem.SetNoise(0.15 * -at.dark[0]);
+  for (const int iterations : {12, 8, 6}) {
+    at = Descend<TagEquations>(problem, at, iterations, 1e-6);
+    const std::vector<double> errors = problem.Errors(at);
+    if (errors.empty()) return std::nullopt;
+    problem.SetNoise(NoiseOf(errors));
+  }
+  // A fit that went elsewhere, or one that leaves much of the contrast unexplained.
+  const double noise = NoiseOf(problem.Errors(at));
+  double moved = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) moved = std::max(moved, (at.corners[k] - first[k]).norm());
+  if (moved > std::max(2.0, 0.5 * cell_px) || noise > 0.15 * -at.dark[0]) return std::nullopt;
+  TagEquations equations;
+  problem.Cost(at, &equations);
+  // What the model leaves out, such as the shape of the blur. Assumed, 0.005-0.03.
+  constexpr double kModel_px = 0.01;
+  TagFit fit{.corners = {}, .sigma_px = std::hypot(SigmaOf(equations, at, plane), kModel_px)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto pixel = plane.ToPixel(at.corners[k]);
+    if (!pixel || !pixel->allFinite()) return std::nullopt;
+    fit.corners[k] = *pixel;
+  }
+  return fit;
+}
+
+CellReading ReadCells(const GrayImage& image, const TagCells& cells, const TagCorners& corners) {
+  const std::optional<Eigen::Matrix3d> H = FromCells(corners, cells.at_border);
+  if (!H) return {};
+  std::vector<std::pair<double, bool>> read;
+  double white = 0.0, black = 0.0;
+  int whites = 0, blacks = 0;
+  const double half = 0.5 * cells.across;
+  for (int row = cells.margin; row < cells.across - cells.margin; ++row) {
+    for (int column = cells.margin; column < cells.across - cells.margin; ++column) {
+      const Eigen::Vector2d pixel =
+          (*H * Eigen::Vector3d(column + 0.5 - half, row + 0.5 - half, 1.0)).hnormalized();
+      const int x = static_cast<int>(std::lround(pixel.x()));
+      const int y = static_cast<int>(std::lround(pixel.y()));
+      if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
+      const bool ink = cells.IsBlack(column, row);
+      read.emplace_back(image.at(x, y), ink);
+      (ink ? black : white) += image.at(x, y);
+      (ink ? blacks : whites) += 1;
+    }
+  }
+  if (whites == 0 || blacks == 0) return {};
+  const double threshold = 0.5 * (white / whites + black / blacks);
+  CellReading reading;
+  for (const auto& [grey, ink] : read) {
+    reading.wrong += (grey < threshold) != ink;
+    reading.margin += std::abs(grey - threshold) / static_cast<double>(read.size());
+  }
+  return reading;
+}
+
+}  // namespace dockyard
