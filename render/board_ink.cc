@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/board_wear.h"
 #include "render/pixel_noise.h"
 #include "render/two_widths.h"
 
@@ -58,6 +59,12 @@ BoardShader::BoardShader(const BoardView& view, const Pose3& X_WC) : view_(view)
                       static_cast<float>(-std::sin(f.rotation))});
   }
   radius_ = static_cast<float>(0.5 * view.board.disc_diameter_m);
+  for (const SquareTag& tag : view.board.tags) {
+    const TagInk& ink = tags_.emplace_back(tag);
+    marks_.push_back(
+        {static_cast<float>(tag.p_BT.x()), static_cast<float>(tag.p_BT.y()), 1.0f, 0.0f});
+    radius_ = std::max(radius_, static_cast<float>(ink.radius_m()));
+  }
   half_length_ = static_cast<float>(0.5 * view.board.bar_length_m);
   half_width_ = static_cast<float>(0.5 * view.board.bar_width_m);
 }
@@ -85,8 +92,24 @@ float BoardShader::InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen
   return disc * (1.0f - bar);
 }
 
+std::array<Eigen::Vector2f, 4> BoardShader::Footprint(const PixelCorners& c) const {
+  return {ToBoard(c[0]), ToBoard(c[1]), ToBoard(c[3]), ToBoard(c[2])};
+}
+
+float BoardShader::TagShare(const std::array<Eigen::Vector2f, 4>& footprint_B) const {
+  double ink = 0.0;
+  for (const TagInk& tag : tags_) ink += tag.Share(footprint_B);
+  return static_cast<float>(std::min(ink, 1.0));
+}
+
 float BoardShader::InkShare(const PixelCorners& c) const {
   if (!printed_side_) return 0.0f;
+  const float ink = tags_.empty() ? DiscShare(c) : TagShare(Footprint(c));
+  if (ink == 0.0f || view_.wear <= 0.0) return ink;
+  return ink * (1.0f - FlakedShare(view_, Footprint(c)));
+}
+
+float BoardShader::DiscShare(const PixelCorners& c) const {
   const Eigen::Vector2f middle = ToBoard(
       {0.25f * (c[0].x + c[1].x + c[2].x + c[3].x), 0.25f * (c[0].y + c[1].y + c[2].y + c[3].y)});
   const Mark* near = nullptr;

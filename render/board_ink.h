@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "render/scene.h"
 #include "render/scene_light.h"
 #include "render/shading.h"
+#include "render/tag_ink.h"
 
 namespace dockyard {
 
@@ -64,7 +66,8 @@ class BoardShader {
                                           : light.white.around + shares[i] * light.white.sun;
     }
   }
-  /// Share of the pixel that is ink: each edge as its tangent, on four parts of an edge pixel.
+  /// Share of the pixel that is ink. Discs: each edge as its tangent, on four parts of an edge
+  /// pixel; tags: areas of polygons. Less what has flaked off.
   float InkShare(const PixelCorners& corners) const;
   /// Of the side that the camera faces.
   const Eigen::Vector3d& normal_W() const { return normal_W_; }
@@ -74,6 +77,9 @@ class BoardShader {
     float x, y, along_x, along_y;
   };
   Eigen::Vector2f ToBoard(Tan tan) const;
+  float DiscShare(const PixelCorners& corners) const;
+  float TagShare(const std::array<Eigen::Vector2f, 4>& footprint_B) const;
+  std::array<Eigen::Vector2f, 4> Footprint(const PixelCorners& corners) const;
   float DustAt(const PixelCorners& corners) const;
   bool Dusty() const {
     return printed_side_ && (view_.dust_cover > 0.0 || !view_.dusty_spots.empty());
@@ -83,7 +89,8 @@ class BoardShader {
   float InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen::Vector2f& step_x,
               const Eigen::Vector2f& step_y) const;
 
-  std::vector<Mark> marks_;
+  std::vector<Mark> marks_;  // of tags: their middles, radius_ that of the largest
+  std::vector<TagInk> tags_;
   Eigen::Matrix3f board_from_tan_;  // homogeneous
   bool printed_side_ = true;
   float radius_, half_length_, half_width_;

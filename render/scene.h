@@ -76,6 +76,9 @@ struct BoardView {
   std::vector<DustySpot> dusty_spots;
   std::uint64_t dust_seed = 1;
   Eigen::Vector3d dust_albedo{0.45, 0.36, 0.28};
+  // Mean share of the ink that has flaked off in patches of 1 to 4 mm, 0 to 0.95, and where.
+  double wear = 0.0;
+  std::uint64_t wear_seed = 1;
 };
 
 struct TetherView {

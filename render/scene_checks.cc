@@ -61,7 +61,15 @@ void CheckBoard(const BoardView& view) {
     DOCKYARD_CHECK(spot.p_B.allFinite() && spot.radius_m >= 0.0);
     DOCKYARD_CHECK(spot.cover >= 0.0 && spot.cover <= 0.95);
   }
+  for (const SquareTag& tag : board.tags) {
+    DOCKYARD_CHECK(tag.p_BT.allFinite() && std::isfinite(tag.rotation));
+    DOCKYARD_CHECK(tag.size_m > 0.0 && tag.cells.at_border > 0);
+    DOCKYARD_CHECK(tag.cells.black.size() ==
+                   static_cast<std::size_t>(tag.cells.across * tag.cells.across));
+  }
+  DOCKYARD_CHECK(board.tags.empty() || board.fiducials.empty());
   DOCKYARD_CHECK(view.dust_cover >= 0.0 && view.dust_cover <= 0.6);
+  DOCKYARD_CHECK(view.wear >= 0.0 && view.wear <= 0.95);
   RequirePose(view.X_WB, "the board's");
 }
 
