@@ -67,6 +67,9 @@ void FinishBoard(const YamlReader& root, StationModel& station, StationFile& fil
                       KeyNames([&](Keys& keys) { VisitBoardOf(keys, station, file); }));
   if (file.board_named) {
     station.board = LoadBoard(file.board).board;
+    if (!station.board.tags.empty()) {
+      in.Refuse("file", "a board of discs, as the rover's controller finds no tags");
+    }
   } else {
     CheckBoard(in, station.board);
   }

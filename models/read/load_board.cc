@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "controller/geometry/pose.h"
+#include "controller/vision/tags/tag_code.h"
 #include "models/parts/board_symmetry.h"
 #include "models/read/config_error.h"
+#include "models/read/load_tags.h"
 
 namespace dockyard {
 namespace {
@@ -120,15 +122,18 @@ void VisitUpright(Keys& keys, bool needed, Upright& upright) {
                Between(1.0, 180.0));
 }
 
-}  // namespace
+void VisitPlate(Keys& keys, FiducialBoard& board) {
+  keys.Number("width_m", board.width_m, Positive(5.0));
+  keys.Number("height_m", board.height_m, Positive(5.0));
+}
 
-void VisitBoard(Keys& keys, FiducialBoard& board) {
+/// @param diameter  the key of the discs' diameter
+void VisitDiscs(Keys& keys, const Key& diameter, FiducialBoard& board) {
   int kind = 0;
   keys.Choice(Optional("kind"), kind, {"bars", "plain"});
   const bool bars = kind == 0;
-  keys.Number("width_m", board.width_m, Positive(5.0));
-  keys.Number("height_m", board.height_m, Positive(5.0));
-  keys.Number("disc_diameter_m", board.disc_diameter_m, Positive(1.0));
+  VisitPlate(keys, board);
+  keys.Number(diameter, board.disc_diameter_m, Positive(1.0));
   for (const char* key : {"grid", "upright_in", "upright_within_deg"}) {
     keys.Allow(key, !bars, "no such key beside kind: bars, or kind: plain");
   }
@@ -162,7 +167,21 @@ void VisitBoard(Keys& keys, FiducialBoard& board) {
              });
 }
 
+/// A board of tags has no key of discs.
+void VisitTagBoard(Keys& keys, FiducialBoard& board) {
+  for (const char* key : {"kind", "disc_diameter_m", "bar_length_m", "bar_width_m", "fiducials",
+                          "grid", "upright_in", "upright_within_deg"}) {
+    keys.Allow(key, false, "no such key with tags: a board has either discs or tags");
+  }
+  VisitPlate(keys, board);
+}
+
+}  // namespace
+
+void VisitBoard(Keys& keys, FiducialBoard& board) { VisitDiscs(keys, "disc_diameter_m", board); }
+
 void CheckBoard(const YamlReader& in, const FiducialBoard& board) {
+  if (!board.tags.empty()) return CheckTags(in, board);
   if (in.Has("grid") && in.Has("fiducials")) {
     in.Refuse("grid", "either grid or fiducials, not both");
   }
@@ -172,13 +191,18 @@ void CheckBoard(const YamlReader& in, const FiducialBoard& board) {
 
 bool IsBoardFile(const YamlNode& root) {
   return root.Find("fiducials") != nullptr || root.Find("grid") != nullptr ||
-         root.Find("disc_diameter_m") != nullptr;
+         root.Find("disc_diameter_m") != nullptr || root.Find("tags") != nullptr;
 }
 
 void VisitNamedBoard(Keys& keys, NamedBoard& named) {
   constexpr double kMostBow_m = 0.05;  // a bow beyond it shows no plane any more
   keys.Text("name", named.name);
-  VisitBoard(keys, named.board);
+  keys.Mapping(Unset("tags"), [&](Keys& in) { VisitTags(in, named.board.tags); });
+  if (keys.reads() && !named.board.tags.empty()) {
+    VisitTagBoard(keys, named.board);
+  } else {
+    VisitDiscs(keys, keys.NeededIf(true, "disc_diameter_m"), named.board);
+  }
   keys.Number(Optional("flatness_m"), named.flatness_m, NonNegative(kMostBow_m));
 }
 
@@ -187,6 +211,7 @@ NamedBoard LoadBoard(const std::string& file) {
   NamedBoard named;
   const auto visit = [&](Keys& keys) { VisitNamedBoard(keys, named); };
   ReadKeys(root, "", visit);
+  SetTagCells(named.board);
   CheckBoard(YamlReader(root, "", KeyNames(visit)), named.board);
   return named;
 }

@@ -11,7 +11,8 @@
 
 namespace dockyard {
 
-/// Names the keys of a board's mapping (docs/reference/models.md); a station's board has more.
+/// Names the keys of a board of discs as a mapping (docs/reference/models.md); a station's board
+/// has more.
 void VisitBoard(Keys& keys, FiducialBoard& board);
 /// Throws ConfigError when a disc overlaps another or sticks out, or when the layout leaves a
 /// mark's identity open.
@@ -22,7 +23,7 @@ bool IsBoardFile(const YamlNode& root);
 
 struct NamedBoard {
   std::string name;
-  FiducialBoard board;
+  FiducialBoard board;                  // of discs or of tags
   std::optional<BoardCutout> cutout{};  // none for a board of its own file
   double flatness_m = 0.0;              // how far the print may lie off a plane; 0 for a target's
 };
