@@ -6,6 +6,7 @@
 
 #include "controller/geometry/pose.h"
 #include "sim/app/commands.h"
+#include "sim/app/tag_outline.h"
 
 namespace dockyard {
 namespace {
@@ -25,6 +26,9 @@ constexpr std::array<Paper, 6> kPapers{{{"a4", 210.0, 297.0},  // ISO 216
                                         {"a0", 841.0, 1189.0},
                                         {"letter", 215.9, 279.4}}};  // ANSI A
 
+/// To a hundredth.
+std::string Millimetres(double metres) { return NumberText(std::round(1e5 * metres) / 100.0); }
+
 struct Sketch {
   double width_mm = 0.0, height_mm = 0.0;
   std::vector<Shape> shapes;  // from its own top left corner
@@ -42,6 +46,19 @@ void AddMark(const FiducialBoard& board, const Fiducial& mark, const Eigen::Vect
                         b = 500.0 * board.bar_width_m * across;
   sketch.shapes.push_back(PolygonShape{
       .corners_mm = {centre + a + b, centre + a - b, centre - a - b, centre - a + b}, .grey = 1.0});
+}
+
+/// Its squares as outlines, so that no seam shows between two.
+void AddTag(const SquareTag& tag, const Eigen::Vector2d& middle_mm, Sketch& sketch) {
+  for (const TagOutline& outline : OutlinesOf(tag.cells)) {
+    PolygonShape shape{.corners_mm = {}, .grey = outline.black ? 0.0 : 1.0};
+    for (const Eigen::Vector2i& corner : outline.corners) {
+      const Eigen::Vector2d cell =
+          corner.cast<double>() - Eigen::Vector2d::Constant(0.5 * tag.cells.across);
+      shape.corners_mm.push_back(middle_mm + 1e3 * OnBoard(tag, tag.cell_m() * cell));
+    }
+    sketch.shapes.push_back(shape);
+  }
 }
 
 void AddFrame(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& size_mm,
@@ -73,6 +90,20 @@ void AddCutout(const BoardCutout& cutout, const Eigen::Vector2d& middle_mm,
   }
 }
 
+std::string MarksText(const FiducialBoard& board) {
+  if (board.tags.empty()) {
+    return std::to_string(board.fiducials.size()) + " discs of " +
+           Millimetres(board.disc_diameter_m) + " mm" + (board.HasBars() ? " with bars" : "");
+  }
+  std::string text = board.tags.size() == 1 ? "tag " : "tags ";
+  constexpr std::size_t kMostNamed = 4;  // more do not fit on the line
+  for (std::size_t i = 0; i < std::min(kMostNamed, board.tags.size()); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(board.tags[i].id);
+  }
+  if (board.tags.size() > kMostNamed) text += ", ...";
+  return text + " of " + board.tags[0].family + ", " + Millimetres(board.tags[0].size_m) + " mm";
+}
+
 /// 100 mm with a tick at each centimetre, and the instruction for it.
 void AddFooter(const NamedBoard& named, double top_mm, Sketch& sketch) {
   const double y = top_mm + 6.0, x = 1.0;
@@ -83,16 +114,14 @@ void AddFooter(const NamedBoard& named, double top_mm, Sketch& sketch) {
         LineShape{.from_mm = {x + 10.0 * i, y - tick}, .to_mm = {x + 10.0 * i, y}, .line_mm = 0.2});
   }
   const FiducialBoard& board = named.board;
-  const auto mm = [](double metres) { return NumberText(std::round(1e5 * metres) / 100.0); };
   sketch.shapes.push_back(TextShape{.at_mm = {x + 103.0, y}, .text = "100 mm"});
   sketch.shapes.push_back(
       TextShape{.at_mm = {x, y + 5.0},
                 .text = "Print at 100 %, not fitted to the page; the rule above must be 100 mm."});
-  sketch.shapes.push_back(
-      TextShape{.at_mm = {x, y + 9.5},
-                .text = named.name + ": " + mm(board.width_m) + " x " + mm(board.height_m) +
-                        " mm, " + std::to_string(board.fiducials.size()) + " discs of " +
-                        mm(board.disc_diameter_m) + " mm" + (board.HasBars() ? " with bars" : "")});
+  sketch.shapes.push_back(TextShape{.at_mm = {x, y + 9.5},
+                                    .text = named.name + ": " + Millimetres(board.width_m) + " x " +
+                                            Millimetres(board.height_m) + " mm, " +
+                                            MarksText(board)});
 }
 
 Sketch SketchOf(const NamedBoard& named) {
@@ -104,6 +133,7 @@ Sketch SketchOf(const NamedBoard& named) {
   const Eigen::Vector2d corner(0.5 * (sketch.width_mm - size_mm.x()), 0.0);
   const Eigen::Vector2d middle = corner + 0.5 * size_mm;
   for (const Fiducial& mark : board.fiducials) AddMark(board, mark, middle, sketch);
+  for (const SquareTag& tag : board.tags) AddTag(tag, middle, sketch);
   AddFrame(corner, size_mm, sketch.shapes);
   if (named.cutout) AddCutout(*named.cutout, middle, corner, size_mm, sketch);
   AddFooter(named, size_mm.y(), sketch);

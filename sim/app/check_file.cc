@@ -44,6 +44,11 @@ FileCheck CheckMesh(const std::string& file) {
 
 FileCheck CheckBoard(const std::string& file) {
   const NamedBoard named = LoadBoard(file);
+  if (const std::vector<SquareTag>& tags = named.board.tags; !tags.empty()) {
+    return {"board", named.name + ": " + CountText(tags.size(), "tag") + " of " + tags[0].family +
+                         ", " + NumberText(named.board.width_m) + " x " +
+                         NumberText(named.board.height_m) + " m"};
+  }
   return {"board", named.name + ": " + std::to_string(named.board.fiducials.size()) +
                        (named.board.HasBars() ? " discs with bars, " : " plain discs, ") +
                        NumberText(named.board.width_m) + " x " + NumberText(named.board.height_m) +

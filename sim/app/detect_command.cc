@@ -7,6 +7,7 @@
 #include "models/read/config_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/detect_report.h"
+#include "sim/app/detect_tags.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/image_files.h"
 #include "sim/app/number_option.h"
@@ -44,12 +45,13 @@ Examples:
     --board {target}
 
 One image is taken for the left camera's unless --camera says right. --board is a station's file or
-a board's own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial
-(pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit quaternion w
-x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4:
-no board accepted; the reason is printed. The noise is raised to what the residuals show, up to 1 px
-rms, and the covariance with it: flatness_m in the board's file states a bow, calibration_error_px
-in the rig's the cameras' error.
+a board's own (docs/reference/models.md): discs with bars, plain ones, or square tags. Prints each
+fiducial (pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit
+quaternion w x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad].
+For a board of tags an id is the tag's number in the file, from 0; of a pair the camera that finds
+more tags gives the pose. Exit code 4: no board accepted; the reason is printed. The noise is raised
+to what the residuals show, up to 1 px rms, and the covariance with it: flatness_m in the board's
+file states a bow, calibration_error_px in the rig's the cameras' error.
 --folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or
 3 when some file is no image (it is named, the others are done).)";
 
@@ -60,16 +62,18 @@ struct Searched {
   ErrorAllowance errors;
 };
 
-LocateOutput LocatePair(const StereoImages& images, const DetectArguments& arguments,
-                        const Searched& searched) {
+SightingReport LocatePair(const StereoImages& images, const DetectArguments& arguments,
+                          const Searched& searched) {
   const GrayImage& any = images.left.pixels.empty() ? images.right : images.left;
   const StereoRig rig = RigOf(arguments.rig, searched.systems, any.width, any.height);
+  const FiducialBoard& board = searched.board.board;
+  if (!board.tags.empty()) return LocateTagsIn(images, rig, board, searched.errors);
   LocateHints hints;
   hints.up_R =
       (RotY(Radians(arguments.pitch_deg)) * RotX(Radians(arguments.roll_deg))).transpose() *
       Eigen::Vector3d::UnitZ();
-  return LocateBoard(images, rig, searched.board.board, hints, arguments.pipeline.settings(),
-                     searched.errors);
+  return LocateBoard(images, rig, board, hints, arguments.pipeline.settings(), searched.errors)
+      .report;
 }
 
 /// What one camera saw.
@@ -90,7 +94,7 @@ void TryExchanges(const StereoImages& images, const DetectArguments& arguments,
                   std::vector<std::string>* warnings) {
   if (!images.left.pixels.empty() && !images.right.pixels.empty()) {
     const SightingReport exchanged =
-        LocatePair({.left = images.right, .right = images.left}, arguments, searched).report;
+        LocatePair({.left = images.right, .right = images.left}, arguments, searched);
     if (exchanged.accepted && exchanged.method == "stereo") {
       answer->detail = "with left and right exchanged the images show the board";
       return;
@@ -100,11 +104,12 @@ void TryExchanges(const StereoImages& images, const DetectArguments& arguments,
   const Upright& upright = searched.board.board.upright;
   const bool any_roll =
       upright.against != Upright::Against::kPlumb && upright.within_rad >= Radians(180.0) - 1e-9;
-  if (any_roll || !answer->report.marks.empty()) return;
+  const bool tags = !searched.board.board.tags.empty();  // found at any roll
+  if (any_roll || tags || !answer->report.marks.empty()) return;
   for (const bool right : {false, true}) {
     const GrayImage& image = right ? images.right : images.left;
     if (image.pixels.empty()) continue;
-    if (!LocatePair(Alone(UpsideDown(image), right), arguments, searched).report.accepted) continue;
+    if (!LocatePair(Alone(UpsideDown(image), right), arguments, searched).accepted) continue;
     Warn("turned by 180 deg the " + std::string(right ? "right" : "left") +
              " image shows the board: is it upside down?",
          warnings);
@@ -128,7 +133,7 @@ GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
 int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
                    std::vector<std::string>* all_warnings) {
   RigOf(arguments.rig, searched.systems, 0, 0);  // a bad rig is not the fault of an image
-  const std::size_t board_discs = searched.board.board.fiducials.size();
+  const BoardMarks board_marks = MarksOf(searched.board.board);
   const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
@@ -136,7 +141,7 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
     SightingReport report;
     std::vector<std::string> warnings;
     try {
-      report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, searched).report;
+      report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, searched);
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
@@ -154,7 +159,7 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
                     {"accepted", report.accepted},
                     {"reason", report.accepted ? Json() : Json(report.reason)}});
     if (arguments.json) continue;
-    std::printf("%s: %s, %s\n", file.c_str(), DiscsText(report, board_discs).c_str(),
+    std::printf("%s: %s, %s\n", file.c_str(), DiscsText(report, board_marks).c_str(),
                 report.accepted ? "board accepted" : report.reason.c_str());
   }
   if (arguments.json) {
@@ -229,10 +234,10 @@ int Detect(const DetectArguments& arguments, Invocation& call) {
   DetectAnswer answer{.report = {},
                       .detail = {},
                       .pipeline = arguments.pipeline.name,
-                      .board_discs = named.board.fiducials.size()};
+                      .board_marks = MarksOf(named.board)};
   WarnIfCut(arguments.left, &call.warnings);
   WarnIfCut(arguments.right, &call.warnings);
-  answer.report = LocatePair(images, arguments, searched).report;
+  answer.report = LocatePair(images, arguments, searched);
   if (!answer.report.accepted) TryExchanges(images, arguments, searched, &answer, &call.warnings);
   if (!arguments.draw.empty()) Draw(images, answer.report, arguments.draw);
   if (arguments.json) {

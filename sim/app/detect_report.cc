@@ -31,12 +31,17 @@ std::size_t NamedDiscs(const SightingReport& report) {
   return ids.size();
 }
 
-std::string DiscsText(const SightingReport& report, std::size_t board_discs) {
+BoardMarks MarksOf(const FiducialBoard& board) {
+  if (!board.tags.empty()) return {.count = board.tags.size(), .noun = "tag"};
+  return {.count = board.fiducials.size()};
+}
+
+std::string DiscsText(const SightingReport& report, const BoardMarks& board) {
   if (!report.marks.empty()) {
-    return std::to_string(NamedDiscs(report)) + " of the board's " + std::to_string(board_discs) +
-           " discs";
+    return std::to_string(NamedDiscs(report)) + " of the board's " + std::to_string(board.count) +
+           " " + board.noun + "s";
   }
-  return CountText(report.DetectedBy(0) + report.DetectedBy(1), "disc") + " in the image";
+  return CountText(report.DetectedBy(0) + report.DetectedBy(1), board.noun) + " in the image";
 }
 
 Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warnings) {
@@ -49,7 +54,7 @@ Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warn
   json["method"] = report.method;
   json["detected_left"] = report.DetectedBy(0);
   json["detected_right"] = report.DetectedBy(1);
-  json["board_discs"] = answer.board_discs;
+  json["board_discs"] = answer.board_marks.count;
   json["board_discs_detected"] = NamedDiscs(report);
   json["board_in_rover"] = report.accepted ? PoseJson(report.X_RB, report.covariance) : Json();
   json["reprojection_px"] = report.marks.empty() ? Json() : Json(report.reprojection_px);
@@ -68,7 +73,7 @@ void PrintDetectText(const DetectAnswer& answer) {
                 mark["id"].get<int>(), mark["u_px"].get<double>(), mark["v_px"].get<double>(),
                 mark["state"].get<std::string>().c_str());
   }
-  const std::string discs = DiscsText(report, answer.board_discs);
+  const std::string discs = DiscsText(report, answer.board_marks);
   if (report.accepted) {
     std::printf("board (%s, %s, %.3f px rms): %s\n", report.method.c_str(), discs.c_str(),
                 report.reprojection_px, PoseText(report.X_RB, report.covariance).c_str());

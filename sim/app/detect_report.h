@@ -4,23 +4,31 @@
 #include <string>
 #include <vector>
 
+#include "controller/geometry/board.h"
 #include "controller/io/belief.h"
 #include "sim/base/json.h"
 
 namespace dockyard {
 
+/// What a board has on it, and how many.
+struct BoardMarks {
+  std::size_t count = 0;
+  std::string noun = "disc";  // or "tag"
+};
+BoardMarks MarksOf(const FiducialBoard& board);
+
 struct DetectAnswer {
   SightingReport report;
   std::string detail;  // more about why there is no board; empty: nothing
   std::string pipeline;
-  std::size_t board_discs = 0;  // on the board
+  BoardMarks board_marks;
 };
 
-/// Discs of the board that were measured, in all images.
+/// Discs or tags of the board that were measured, in all images.
 std::size_t NamedDiscs(const SightingReport& report);
 
 /// "43 of the board's 44 discs", or before they have names "116 discs in the image".
-std::string DiscsText(const SightingReport& report, std::size_t board_discs);
+std::string DiscsText(const SightingReport& report, const BoardMarks& board);
 
 Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warnings);
 void PrintDetectText(const DetectAnswer& answer);

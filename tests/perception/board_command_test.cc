@@ -11,7 +11,9 @@
 #include "app/program.h"
 #include "controller/geometry/board.h"
 #include "controller/geometry/pose.h"
+#include "models/read/load_board.h"
 #include "support/fake_runs.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -137,6 +139,34 @@ TEST(BoardCommand, PrintsAtTrueSize) {
     EXPECT_NEAR(std::min(pdf.cols, pdf.rows), 2100, 1);
     Print(folder, file, board + ".svg");
     ExpectBoard(Rastered(folder, board + ".svg"), wanted);
+  }
+}
+
+/// Share of ink in a square of the page.
+double InkOf(const cv::Mat& page, const Eigen::Vector2d& corner_mm, double side_mm) {
+  const auto px = [](double mm) { return static_cast<int>(std::lround(mm * kPxPerMm)); };
+  const cv::Rect square(px(corner_mm.x()), px(corner_mm.y()), px(side_mm), px(side_mm));
+  return 1.0 - cv::mean(page(square))[0] / 255.0;
+}
+
+TEST(BoardCommand, PrintsTheSquaresOfATagAtTrueSize) {
+  const TemporaryFolder folder;
+  const std::string file = "models/boards/charger_tag.yaml";
+  const SquareTag tag = LoadBoard(SourceFile(file)).board.tags[0];
+  for (const char* name : {"t.pdf", "t.svg"}) {
+    Print(folder, file, name);
+    const cv::Mat page = Rastered(folder, name);
+    ASSERT_FALSE(page.empty());
+    // A board of 160 mm in a page with edges of 8 mm; 0.1 m are eight squares, of ten.
+    const Eigen::Vector2d corner_mm = Eigen::Vector2d::Constant(8.0 + 80.0 - 5.0 * 12.5);
+    for (int row = 0; row < 10; ++row) {
+      for (int column = 0; column < 10; ++column) {
+        const double ink = InkOf(page, corner_mm + 12.5 * Eigen::Vector2d(column, row), 12.5);
+        // A side that is off by 0.05 mm would take 0.4 % of a square.
+        EXPECT_NEAR(ink, tag.cells.IsBlack(column, row) ? 1.0 : 0.0, 0.008)
+            << name << ": " << column << ", " << row;
+      }
+    }
   }
 }
 
