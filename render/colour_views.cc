@@ -7,6 +7,7 @@
 #include "controller/base/check.h"
 #include "render/ground_mesh.h"
 #include "render/ground_sectors.h"
+#include "render/level_ground.h"
 #include "render/view_rects.h"
 #include "render/view_turn.h"
 
@@ -24,29 +25,6 @@ constexpr int kFanStep = 3;
 constexpr int kSectorsBeside = 6;  // more of the ground's fan for poses beside the middle one
 
 Pose3 Rolled(const Pose3& X_WC) { return {X_WC.R * RotZ(kViewTurn_rad), X_WC.p}; }
-
-// A level ground is a plane, whose 1/z is linear in the tan plane: no triangles are needed.
-void AddPlane(const GroundView& ground, const Pose3& X_WV, FlatView& view) {
-  const Eigen::Vector3d up_V = X_WV.R.transpose() * ground.X_WG.R.col(2);
-  const double below = (Inverse(ground.X_WG) * X_WV.p).z() - *ground.heights_m;  // the camera's
-  if (std::abs(below) < 1e-6) return;
-  const Eigen::Vector3d plane = -up_V / below;
-  const double step_x = (view.rect.right - view.rect.left) / view.width;
-  const double step_y = (view.rect.bottom - view.rect.top) / view.height;
-  const auto per_x = static_cast<float>(plane.x() * step_x);
-  const auto nearest = static_cast<float>(1.0 / kNear_m);
-  for (int y = 0; y < view.height; ++y) {
-    const double at_y = view.rect.top + (y + 0.5) * step_y;
-    const auto first = static_cast<float>(plane.x() * (view.rect.left + 0.5 * step_x) +
-                                          plane.y() * at_y + plane.z());
-    Seen* row = &view.seen[static_cast<std::size_t>(y) * view.width];
-    for (int x = 0; x < view.width; ++x) {
-      const float code = first + static_cast<float>(x) * per_x;
-      if (code > -row[x].code && code > 0.0f && code < nearest)
-        row[x] = {.object = 0, .code = code};
-    }
-  }
-}
 
 FanPart FanOf(const Scene& scene, const Pose3& X_WC, const TanRect& rect) {
   const Pose3& X_WG = scene.ground.X_WG;
@@ -169,13 +147,13 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
     SizeView(view.camera, lens.rect, kWideRays, kMostRays, wide_);
     const Pose3 X_WV = Rolled(X);
     painter.PaintInto(wide_target_, X_WV, wide_);
-    if (level) AddPlane(scene.ground, X_WV, wide_);
+    if (level) AddLevelGround(scene.ground, X_WV, wide_);
     const FlatView* close = nullptr;
     if (const auto about = CloseRect(scene, X_WV, lens.rect)) {
       SizeView(view.camera, *about, kCloseRays, kMostRays, close_);
       if (static_cast<double>(close_.width) * close_.height <= kMostCloseRays) {
         painter.PaintInto(close_target_, X_WV, close_);
-        if (level) AddPlane(scene.ground, X_WV, close_);
+        if (level) AddLevelGround(scene.ground, X_WV, close_);
         close = &close_;
       }
     }

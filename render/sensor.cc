@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "controller/base/check.h"
 #include "render/optics.h"
@@ -34,7 +35,7 @@ void CheckSensor(const SensorOptions& s) {
 
 // The k-th smallest of numbers that are not negative: their bits are in the same order, so first
 // the upper halves are counted, then the lower halves of those that share the upper.
-float Smallest(const std::array<RadianceImage, 2>& images, std::size_t k) {
+float Smallest(std::span<const RadianceImage> images, std::size_t k) {
   std::vector<std::uint32_t> counts(1u << 16, 0);
   const auto each = [&](auto visit) {
     for (const RadianceImage& image : images) {
@@ -56,15 +57,16 @@ float Smallest(const std::array<RadianceImage, 2>& images, std::size_t k) {
 }
 
 // The radiance that the given share of all pixels exceeds: the quantile itself.
-double ExceededBy(const std::array<RadianceImage, 2>& images, double percent) {
-  const std::size_t count = images[0].values.size() + images[1].values.size();
+double ExceededBy(std::span<const RadianceImage> images, double percent) {
+  std::size_t count = 0;
+  for (const RadianceImage& image : images) count += image.values.size();
   if (count == 0) return 0.0;
   const auto above = static_cast<std::size_t>(0.01 * percent * static_cast<double>(count));
   return Smallest(images, count - 1 - std::min(above, count - 1));
 }
 
 // Electrons of a pixel whose radiance is 1.
-double Gain(const std::array<RadianceImage, 2>& images, const SensorOptions& s) {
+double Gain(std::span<const RadianceImage> images, const SensorOptions& s) {
   const double stops = std::exp2(s.exposure_stops);
   if (s.fixed_exposure_e > 0.0) return stops * s.fixed_exposure_e;
   // In the dark the exposure is limited.
@@ -100,23 +102,24 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
 
 const Camera& CameraOf(const StereoRig& rig, int view) { return view == 0 ? rig.left : rig.right; }
 
-// Light on the sensor.
+// Light on the sensor of the left (0) or right (1) camera.
+RadianceImage ThroughLens(RadianceImage image, const Camera& camera, const SensorOptions& sensor,
+                          int view) {
+  DOCKYARD_CHECK(image.width == camera.width && image.height == camera.height);
+  DOCKYARD_CHECK(image.values.size() == static_cast<std::size_t>(camera.width) * camera.height);
+  if (sensor.eyes[view] == EyeState::kSilent) return {};
+  ApplyWindow(camera, sensor.windows[view], image);
+  if (sensor.eyes[view] == EyeState::kDark) {
+    std::fill(image.values.begin(), image.values.end(), 0.0f);
+  }
+  ApplyOptics(camera, sensor, image);
+  return image;
+}
+
 std::array<RadianceImage, 2> ThroughLens(std::array<RadianceImage, 2> images, const StereoRig& rig,
                                          const SensorOptions& sensor) {
   for (int view = 0; view < 2; ++view) {
-    const Camera& camera = CameraOf(rig, view);
-    DOCKYARD_CHECK(images[view].width == camera.width && images[view].height == camera.height);
-    DOCKYARD_CHECK(images[view].values.size() ==
-                   static_cast<std::size_t>(camera.width) * camera.height);
-    if (sensor.eyes[view] == EyeState::kSilent) {
-      images[view] = {};
-      continue;
-    }
-    ApplyWindow(camera, sensor.windows[view], images[view]);
-    if (sensor.eyes[view] == EyeState::kDark) {
-      std::fill(images[view].values.begin(), images[view].values.end(), 0.0f);
-    }
-    ApplyOptics(camera, sensor, images[view]);
+    images[view] = ThroughLens(std::move(images[view]), CameraOf(rig, view), sensor, view);
   }
   return images;
 }
@@ -140,6 +143,16 @@ std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const
   const double gain = Gain(images, sensor);
   return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
           Digitise(images[1], gain, sensor, 1, SplitMix(sensor.noise_key, 1))};
+}
+
+DeepImage ExposeOne(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor) {
+  CheckSensor(sensor);
+  const RadianceImage image = ThroughLens(std::move(radiance), camera, sensor, 0);
+  return Digitise(image, Gain({&image, 1}, sensor), sensor, 0, SplitMix(sensor.noise_key, 0));
+}
+
+GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor) {
+  return UpperBits(ExposeOne(std::move(radiance), camera, sensor));
 }
 
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,

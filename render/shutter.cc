@@ -35,6 +35,29 @@ void Scale(float factor, RadianceImage& image) {
   for (float& value : image.inverse_depth) value *= factor;
 }
 
+/// Of cameras at X_BC on a body that moves so.
+template <std::size_t kCount, typename View>
+std::array<RadianceImage, kCount> Mean(double motion_px,
+                                       const std::array<const Camera*, kCount>& cameras,
+                                       const std::array<Pose3, kCount>& X_BC,
+                                       const ExposureMotion& body, const View& view) {
+  DOCKYARD_CHECK(std::isfinite(motion_px) && motion_px >= 0.0);
+  if (motion_px < ShutterSteps{}.sharp_px) return view(0.0, false);
+  const double wanted = std::ceil(motion_px / kPart_px);
+  const int parts = static_cast<int>(std::min(wanted, static_cast<double>(kMostViews)));
+  const ExposureMotion part{body.shift_m / parts, body.turn_rad / parts};
+  std::array<RadianceImage, kCount> sum;
+  for (int i = 0; i < parts; ++i) {
+    std::array<RadianceImage, kCount> more = view((i + 0.5) / parts - 0.5, true);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      BlurByMotion(*cameras[k], MotionOfCamera(part, X_BC[k]), more[k]);
+      Add(std::move(more[k]), sum[k]);
+    }
+  }
+  for (RadianceImage& image : sum) Scale(1.0f / static_cast<float>(parts), image);
+  return sum;
+}
+
 }  // namespace
 
 double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed_m_s,
@@ -85,22 +108,15 @@ std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_W
 
 StereoRadiance OverExposure(double motion_px, const StereoRig& rig, const ExposureMotion& motion,
                             const ViewAt& view) {
-  DOCKYARD_CHECK(std::isfinite(motion_px) && motion_px >= 0.0);
-  if (motion_px < ShutterSteps{}.sharp_px) return view(0.0, false);
-  const double wanted = std::ceil(motion_px / kPart_px);
-  const int parts = static_cast<int>(std::min(wanted, static_cast<double>(kMostViews)));
-  const ExposureMotion part{motion.shift_m / parts, motion.turn_rad / parts};
-  const std::array<ExposureMotion, 2> of_cameras{MotionOfCamera(part, rig.X_RL),
-                                                 MotionOfCamera(part, rig.X_RQ)};
-  StereoRadiance sum;
-  for (int i = 0; i < parts; ++i) {
-    StereoRadiance more = view((i + 0.5) / parts - 0.5, true);
-    BlurByMotion(rig.left, of_cameras[0], more[0]);
-    BlurByMotion(rig.right, of_cameras[1], more[1]);
-    for (std::size_t k = 0; k < sum.size(); ++k) Add(std::move(more[k]), sum[k]);
-  }
-  for (RadianceImage& image : sum) Scale(1.0f / static_cast<float>(parts), image);
-  return sum;
+  return Mean<2>(motion_px, {&rig.left, &rig.right}, {rig.X_RL, rig.X_RQ}, motion, view);
+}
+
+RadianceImage OverExposure(double motion_px, const Camera& camera, const ExposureMotion& motion,
+                           const OneViewAt& view) {
+  return std::move(Mean<1>(motion_px, {&camera}, {Pose3{}}, motion,
+                           [&](double share, bool with_depth) -> std::array<RadianceImage, 1> {
+                             return {view(share, with_depth)};
+                           })[0]);
 }
 
 }  // namespace dockyard

@@ -58,4 +58,9 @@ using ViewAt = std::function<StereoRadiance(double share, bool with_depth)>;
 StereoRadiance OverExposure(double motion_px, const StereoRig& rig, const ExposureMotion& motion,
                             const ViewAt& view);
 
+/// The same of one camera, as StereoRenderer::RenderGrey draws it. `motion` is the camera's own.
+using OneViewAt = std::function<RadianceImage(double share, bool with_depth)>;
+RadianceImage OverExposure(double motion_px, const Camera& camera, const ExposureMotion& motion,
+                           const OneViewAt& view);
+
 }  // namespace dockyard

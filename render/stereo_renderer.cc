@@ -1,14 +1,16 @@
 #include "render/stereo_renderer.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <stdexcept>
 
 #include "render/colour_views.h"
 #include "render/compose.h"
-#include "render/fisheye_warp.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/ground_mesh.h"
+#include "render/kept_lenses.h"
+#include "render/level_ground.h"
 #include "render/scene_painter.h"
 #include "render/view_rects.h"
 
@@ -21,6 +23,13 @@ constexpr double kWideDensity = 0.9;
 constexpr double kCloseDensity = 2.0;
 constexpr double kMostFlatPixels = 16e6;
 constexpr double kMostClosePixels = 0.3e6;
+
+// At the texels a pixel of a pair of 1280 px, whose map is as large as any.
+ShadowDetail ShadowFor(const Camera& camera) {
+  const double share = std::min(1.0, camera.width / 1280.0);
+  const auto texels = [&](int most) { return 8 * static_cast<int>(std::ceil(share * most / 8.0)); };
+  return {.coarse_texels = texels(kCoarseTexels), .fine_texels = texels(kFineTexels)};
+}
 
 std::unique_ptr<GlContext> CreateContext(GlBackend backend) {
   return backend == GlBackend::kOsMesa ? CreateOsMesaContext() : CreateEglSurfacelessContext();
@@ -63,8 +72,16 @@ class StereoRenderer::Impl {
                                                    bool with_depth) {
     Prepare(scene, X_WR);
     const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
-    return {RenderView(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
-            RenderView(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
+    return {RenderView(scene, rig.left, X_WL, channels, with_depth),
+            RenderView(scene, rig.right, X_WQ, channels, with_depth)};
+  }
+
+  /// A single grey view, in which what a pair shares costs less: see RenderGrey.
+  RadianceImage RenderGrey(const Scene& scene, const Camera& camera, const Pose3& X_WC,
+                           bool with_depth) {
+    const bool level = HasGround(scene.ground) && IsLevel(scene.ground);
+    Prepare(scene, X_WC, {.shadow = ShadowFor(camera), .fan = {}, .ground = !level});
+    return std::move(RenderView(scene, camera, X_WC, {Channel::kGrey}, with_depth, level).front());
   }
 
   /// Each channel of one view.
@@ -72,7 +89,7 @@ class StereoRenderer::Impl {
                                         const Eigen::Vector3d& p_W,
                                         const std::vector<Channel>& channels) {
     Prepare(scene, {Eigen::Matrix3d::Identity(), p_W});
-    return RenderView(scene, LensOf(2, camera, scene, X_WC), X_WC, channels, false);
+    return RenderView(scene, camera, X_WC, channels, false);
   }
 
   ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
@@ -85,10 +102,11 @@ class StereoRenderer::Impl {
 
  private:
   /// What all views share. X_WR: where the ground is finest.
-  void Prepare(const Scene& scene, const Pose3& X_WR) {
+  void Prepare(const Scene& scene, const Pose3& X_WR, ScenePainter::Detail detail = {}) {
     RequireSoundScene(scene);
     context_->MakeCurrent();
-    painter_->Prepare(scene, X_WR);
+    detail.shadows = scene.light.sun_irradiance > 0.0;
+    painter_->Prepare(scene, X_WR, detail);
     UpdateTexture(scene);
   }
   void UpdateTexture(const Scene& scene) {
@@ -96,42 +114,18 @@ class StereoRenderer::Impl {
     texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
   }
 
-  // The rays of a camera's pixels do not change from image to image, unless its pupil moves.
-  struct Lens {
-    TanScale scale;
-    TanRect rect;
-    PixelGrid grid{};
-  };
-  const Lens& LensOf(int view, const Camera& camera, const Scene& scene, const Pose3& X_WC) {
-    std::optional<Lens>& lens = lenses_[view];
-    if (lens && lens->scale.camera() == camera && !lens->scale.pupil_moves()) return *lens;
-    if (!lens || !(lens->scale.camera() == camera)) {
-      const TanScale scale(camera);
-      lens = Lens{.scale = scale, .rect = ImageRect(camera, scale)};
-    }
-    const RayEnds ends(scene, X_WC);
-    lens->grid = {.width = camera.width, .height = camera.height, .x = {}, .y = {}};
-    std::vector<Eigen::Vector2f> row;
-    for (int y = 0; y <= camera.height; ++y) {
-      lens->scale.CornerRow(y, ends, row);
-      for (const Eigen::Vector2f& corner : row) {
-        lens->grid.x.push_back(corner.x());
-        lens->grid.y.push_back(corner.y());
-      }
-    }
-    return *lens;
-  }
-
-  std::vector<RadianceImage> RenderView(const Scene& scene, const Lens& lens, const Pose3& X_WC,
-                                        const std::vector<Channel>& channels, bool with_depth) {
-    const Camera& camera = lens.scale.camera();
-    const TanRect& rect = lens.rect;
-    SizeView(camera, rect, kWideDensity, kMostFlatPixels, wide_);
+  std::vector<RadianceImage> RenderView(const Scene& scene, const Camera& camera, const Pose3& X_WC,
+                                        const std::vector<Channel>& channels, bool with_depth,
+                                        bool level = false) {
+    const KeptLens& lens = lenses_.Of(camera, scene, X_WC);
+    SizeView(camera, lens.rect, kWideDensity, kMostFlatPixels, wide_);
     painter_->PaintInto(wide_target_, X_WC, wide_);
+    if (level) AddLevelGround(scene.ground, X_WC, wide_);
     const FlatView* close = nullptr;
-    if (const auto about = CloseRect(scene, X_WC, rect)) {
+    if (const auto about = CloseRect(scene, X_WC, lens.rect)) {
       SizeView(camera, *about, kCloseDensity, kMostClosePixels, close_);
       painter_->PaintInto(close_target_, X_WC, close_);
+      if (level) AddLevelGround(scene.ground, X_WC, close_);
       close = &close_;
     }
     const Lit lit{scene, texture_, painter_->shadow()};
@@ -147,8 +141,8 @@ class StereoRenderer::Impl {
   std::unique_ptr<ColourViews> colour_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   GroundTexture texture_;
-  std::array<std::optional<Lens>, 3> lenses_;  // left, right, from anywhere
-  FlatView wide_, close_;                      // their memory serves the next image
+  KeptLenses lenses_;
+  FlatView wide_, close_;  // their memory serves the next image
 };
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}
@@ -161,6 +155,11 @@ std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
                                                             bool with_depth) {
   auto seen = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth);
   return {std::move(seen[0][0]), std::move(seen[1][0])};
+}
+
+RadianceImage StereoRenderer::RenderGrey(const Scene& scene, const Camera& camera,
+                                         const Pose3& X_WC, bool with_depth) {
+  return impl_->RenderGrey(scene, camera, X_WC, with_depth);
 }
 
 std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(const Scene& scene,

@@ -1,5 +1,5 @@
-// A stereo pair of a scene, as the rover's cameras would deliver it; one view from anywhere; or one
-// of a colour camera.
+// A stereo pair of a scene, as the rover's cameras would deliver it; one view of a grey or of a
+// colour camera; or one view from anywhere.
 #pragma once
 
 #include <array>
@@ -55,7 +55,8 @@ struct SensorOptions {
   double exposure_stops = 0.0;    // off that, as a power of two: one of a bracket
   std::uint64_t noise_key = 0;    // stream of this image
   std::uint64_t pattern_key = 0;  // stream of these cameras
-  // Faults, left then right. A silent camera's image has no pixels and counts for no exposure.
+  // Faults, left then right; a single camera has the first. A silent camera's image has no pixels
+  // and counts for no exposure.
   std::array<WindowOptions, 2> windows{};
   std::array<EyeState, 2> eyes{EyeState::kAlive, EyeState::kAlive};
 };
@@ -80,6 +81,12 @@ class StereoRenderer {
   /// Both ideal views. X_WR: rover body in the world; the rig is the world's, not the calibration.
   std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,
                                               const Pose3& X_WR, bool with_depth = false);
+  /// One ideal view of a grey camera, at about half of what a pair costs. The ground is finest
+  /// under it. The left view of a pair whose body is the camera's own frame, but that a level
+  /// ground is drawn as a plane and that images under 1280 px get a shadow map as coarse as their
+  /// pixels.
+  RadianceImage RenderGrey(const Scene& scene, const Camera& camera, const Pose3& X_WC,
+                           bool with_depth = false);
   /// Red, green and blue of both ideal views; their luminance is what RenderRadiance gives.
   std::array<std::array<RadianceImage, 3>, 2> RenderColour(const Scene& scene, const StereoRig& rig,
                                                            const Pose3& X_WR,
@@ -109,6 +116,10 @@ std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const
 std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
     const SensorOptions& sensor);
+/// The same of one view alone, the left one of a pair of two such views to the bit: its window, its
+/// state and its streams of noise.
+DeepImage ExposeOne(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor);
+GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor);
 /// The image that the controller gets: the upper eight bits.
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                           const SensorOptions& sensor);
