@@ -11,8 +11,8 @@
 namespace dockyard {
 namespace {
 
-// The kind of surface that all rays of a pixel met.
-enum class Kind : std::uint8_t { kMixed, kGround, kSky, kBoard };
+// The kind of surface that all rays of a pixel met; kFacet: one facet of an object.
+enum class Kind : std::uint8_t { kMixed, kGround, kSky, kBoard, kFacet };
 
 // A view and how many of its rays a pixel asks for along either side.
 struct RaySource {
@@ -102,6 +102,8 @@ class Composer {
         for (int x = from; x < to; ++x) radiance[x] = shader_.Sky({row_.x[x], row_.y[x]});
       } else if (kind_[from] == Kind::kBoard) {
         Boards(source, from, to, radiance);
+      } else if (kind_[from] == Kind::kFacet) {
+        Facets(source.sampler, from, to, radiance);
       } else {
         for (int x = from; x < to; ++x) radiance[x] = Mixed(source, x);
       }
@@ -124,12 +126,17 @@ class Composer {
         view.Prefetch(rays_.at[1][x + kAhead]);
         view.Prefetch(rays_.at[3][x + kAhead]);
       }
-      const float a = view.At(rays_.at[0][x]).code, b = view.At(rays_.at[1][x]).code;
-      const float c = view.At(rays_.at[2][x]).code, d = view.At(rays_.at[3][x]).code;
+      const Seen &s0 = view.At(rays_.at[0][x]), &s1 = view.At(rays_.at[1][x]);
+      const Seen &s2 = view.At(rays_.at[2][x]), &s3 = view.At(rays_.at[3][x]);
+      const float a = s0.code, b = s1.code, c = s2.code, d = s3.code;
       const float least = std::min(std::min(a, b), std::min(c, d));
       const float most = std::max(std::max(a, b), std::max(c, d));
       inverse_depth_[x] = 0.25f * (a + b + c + d);
       kind_[x] = KindOf(least, most);
+      if (!kColour && most < 0.0f && s0.object == s1.object && s0.object == s2.object &&
+          s0.object == s3.object) {
+        kind_[x] = Kind::kFacet;
+      }
     }
   }
 
@@ -164,6 +171,21 @@ class Composer {
   void Boards(const RaySource& source, int from, int to, Value* radiance) const {
     if (shader_.boards() == 1) return shader_.Board(0, row_, from, to - from, radiance + from);
     for (int x = from; x < to; ++x) radiance[x] = Mixed(source, x);
+  }
+
+  // Pixels each of which met one facet: as Mixed, to the bit, but side by side.
+  void Facets(const ViewSampler& view, int from, int to, Value* radiance) const {
+    FacetRow facets;
+    std::array<std::uint32_t, kFacetsAtOnce> words;
+    for (int first = from; first < to; first += kFacetsAtOnce) {
+      const int count = std::min(kFacetsAtOnce, to - first);
+      view.MeanFrom(rays_, first, count, facets.from_x.data(), facets.from_y.data());
+      for (int i = 0; i < count; ++i) {
+        facets.inverse_depth[i] = -inverse_depth_[first + i];
+        words[i] = view.At(rays_.at[0][first + i]).object;
+      }
+      shader_.OfFacets(words.data(), facets, row_, first, count, radiance + first);
+    }
   }
 
   // Rays of one pixel that met objects, or different things.

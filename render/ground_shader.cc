@@ -179,12 +179,18 @@ Four GroundShader::Relief(float x, float y, float column, float row, float lod) 
 
 DOCKYARD_TWO_WIDTHS
 void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && !texture_.plain(); ++i) {
     const Four relief = Relief(p.x[i], p.y[i], p.column[i], p.row[i], p.relief_lod[i]);
     l.relief_x[i] = relief[0];
     l.relief_y[i] = relief[1];
     l.over_ground[i] = relief[2];
     l.lump_tone[i] = relief[3];
+  }
+  if (texture_.plain()) {
+    std::fill(l.relief_x, l.relief_x + count, 0.0f);
+    std::fill(l.relief_y, l.relief_y + count, 0.0f);
+    std::fill(l.over_ground, l.over_ground + count, 1.0f);
+    std::fill(l.lump_tone, l.lump_tone + count, 1.0f);
   }
   if (texture_.grain() == 0.0f) {
     for (float* values : {l.tone, l.slope_x, l.slope_y, l.height}) {

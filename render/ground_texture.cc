@@ -28,6 +28,16 @@ bool GroundTexture::KeepLumps(const GroundView& g) {
   return true;
 }
 
+bool GroundTexture::IsPlain(int columns, int rows) const {
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const GroundRelief::Cell cell = heights_.At(column, row);
+      if (cell.slope_x != 0.0f || cell.slope_y != 0.0f || cell.sun_share != 1.0f) return false;
+    }
+  }
+  return true;
+}
+
 void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_sun_W,
                            double sun_diameter_rad) {
   if (soil_seed_ != ground.texture_seed || largest_pebble_m_ != ground.largest_pebble_m) {
@@ -56,6 +66,7 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
     return Four{cell.slope_x, cell.slope_y, cell.sun_share, 0.0f} +
            cell_lumps_[static_cast<std::size_t>(row) * columns + column];
   });
+  plain_ = grain_ == 0.0f && IsPlain(columns, rows);
 }
 
 }  // namespace dockyard

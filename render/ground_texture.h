@@ -25,6 +25,8 @@ class GroundTexture {
   const SoilPyramid& soil() const { return soil_; }
   /// Contrast of grain and lumps.
   float grain() const { return grain_; }
+  /// Whether it is a level floor without grain, the same all over: relief is {0, 0, 1, 1}.
+  bool plain() const { return plain_; }
   /// Of the grid.
   double highest_m() const { return heights_.highest_m(); }
   /// Relief of level ground in full sun beyond the grid.
@@ -36,11 +38,13 @@ class GroundTexture {
   Four Lumps(float x_m, float y_m) const;
   /// Those of the grid's cells, which do not change with the heights. Whether they are new.
   bool KeepLumps(const GroundView& ground);
+  bool IsPlain(int columns, int rows) const;
 
   GroundRelief heights_;
   ReliefPyramid relief_;
   SoilPyramid soil_, lumps_;
   float grain_ = 1.0f;
+  bool plain_ = false;
   double largest_pebble_m_ = kAllPebbles_m;
   GridPlace lumps_of_;
   std::vector<Four> cell_lumps_;

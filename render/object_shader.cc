@@ -72,13 +72,9 @@ void ObjectShader::BoardShares(std::size_t board, const PixelRow& row, int first
     std::fill(shares, shares + count, 0.0f);
     return;
   }
-  constexpr int kMost = kBoardAtOnce;
-  float x[kMost], y[kMost], z[kMost], u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost];
-  float slope_x[kMost], slope_y[kMost];
-  const SunShadow::Slopes slopes = SunShadow::SlopesOf(b.n_U);
-  const Eigen::Vector3f plane = b.plane_C, p = p_UC_;
-  const Eigen::Matrix3f m = R_UC_, g = R_GC_;
-  const float above = p_GC_.z();
+  Places at;
+  float *x = at.x.data(), *y = at.y.data(), *z = at.z.data();
+  const Eigen::Vector3f plane = b.plane_C;
   const float* __restrict mx = &row.x[first];
   const float* __restrict my = &row.y[first];
   const float* __restrict ax = &row.along_x[first];
@@ -99,6 +95,40 @@ void ObjectShader::BoardShares(std::size_t board, const PixelRow& row, int first
     x[i] = z[i] * x[i];
     y[i] = z[i] * y[i];
   }
+  const SunShadow::Slopes slopes = SunShadow::SlopesOf(b.n_U);
+  std::fill(at.slope_x.begin(), at.slope_x.begin() + count, slopes.x);
+  std::fill(at.slope_y.begin(), at.slope_y.begin() + count, slopes.y);
+  SharesAt(at, {kFlatBias_m, kBoardSearches, kBoardPoints, b.in_plane}, row, first, count, shares);
+}
+
+DOCKYARD_TWO_WIDTHS
+void ObjectShader::FacetShares(const FacetRow& facets, const PixelRow& row, int first, int count,
+                               float* shares) const {
+  Places at;
+  for (int i = 0; i < count; ++i) {
+    const float z = 1.0f / facets.inverse_depth[i];
+    at.x[i] = z * facets.from_x[i];
+    at.y[i] = z * facets.from_y[i];
+    at.z[i] = z;
+  }
+  constexpr float kLeast = SunShadow::kLeastCosine;
+  for (int i = 0; i < count; ++i) {
+    const float n_z = facets.n_z[i], per_z = -1.0f / (n_z > kLeast ? n_z : kLeast);
+    at.slope_x[i] = facets.n_x[i] * per_z;
+    at.slope_y[i] = facets.n_y[i] * per_z;
+  }
+  SharesAt(at, {kCurvedBias_m, kSearches, kPoints}, row, first, count, shares);
+}
+
+DOCKYARD_TWO_WIDTHS
+void ObjectShader::SharesAt(const Places& at, const Fineness& fineness, const PixelRow& row,
+                            int first, int count, float* shares) const {
+  constexpr int kMost = kBoardAtOnce;
+  float u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost];
+  const float *x = at.x.data(), *y = at.y.data(), *z = at.z.data();
+  const Eigen::Vector3f p = p_UC_;
+  const Eigen::Matrix3f m = R_UC_, g = R_GC_;
+  const float above = p_GC_.z();
   for (int i = 0; i < count; ++i) {
     u_x[i] = p.x() + (m(0, 0) * x[i] + (m(0, 1) * y[i] + m(0, 2) * z[i]));
     u_y[i] = p.y() + (m(1, 0) * x[i] + (m(1, 1) * y[i] + m(1, 2) * z[i]));
@@ -106,10 +136,9 @@ void ObjectShader::BoardShares(std::size_t board, const PixelRow& row, int first
   }
   for (int i = 0; i < count; ++i) {
     g_z[i] = above + (g(2, 0) * x[i] + (g(2, 1) * y[i] + g(2, 2) * z[i]));
-    slope_x[i] = slopes.x;
-    slope_y[i] = slopes.y;
   }
-  shadow_.PlainOf({u_x, u_y, u_z, slope_x, slope_y}, count, kFlatBias_m, b.in_plane, shares);
+  shadow_.PlainOf({u_x, u_y, u_z, at.slope_x.data(), at.slope_y.data()}, count, fineness.bias_m,
+                  fineness.in_plane, shares);
   for (int i = 0; i < count; ++i) {
     const float over_ground =
         horizon_.IsFreeAt(g_z[i])
@@ -121,13 +150,13 @@ void ObjectShader::BoardShares(std::size_t board, const PixelRow& row, int first
     }
     const Pixel pixel = row.At(first + i);
     shares[i] = over_ground * shadow_.Partly({.p = {u_x[i], u_y[i], u_z[i]},
-                                              .slopes = slopes,
-                                              .bias_m = kFlatBias_m,
+                                              .slopes = {at.slope_x[i], at.slope_y[i]},
+                                              .bias_m = fineness.bias_m,
                                               .blur_m = pixel.blur() * z[i],
                                               .pixel_x = pixel.column,
                                               .pixel_y = pixel.row,
-                                              .in_plane = b.in_plane},
-                                             kBoardSearches, kBoardPoints);
+                                              .in_plane = fineness.in_plane},
+                                             fineness.searches, fineness.points);
   }
 }
 

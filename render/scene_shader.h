@@ -2,6 +2,8 @@
 // float, colour as Rgb. No GL.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -117,6 +119,38 @@ class SceneShader {
     return objects_.Stain(object, met.from, met.ray, met.inverse_depth, n, pixel) * sum;
   }
 
+  /// Of pixels first to first + count - 1 of a row, at most kFacetsAtOnce, each of which met one
+  /// facet of an object: what OfObject gives. words: Seen::object; the normals are filled in here.
+  void OfFacets(const std::uint32_t* words, FacetRow& facets, const PixelRow& row, int first,
+                int count, Value* radiance) const {
+    std::array<float, kFacetsAtOnce> shares{}, to_zenith;
+    Eigen::Vector3f n;
+    for (int i = 0; i < count; ++i) {
+      if (i == 0 || words[i] != words[i - 1]) n = UnpackNormal({.object = words[i]}, bits_);
+      facets.n_x[i] = n.x();
+      facets.n_y[i] = n.y();
+      facets.n_z[i] = n.z();
+      to_zenith[i] = n.dot(up_U_);
+    }
+    if (light_.sunlit) objects_.FacetShares(facets, row, first, count, shares.data());
+    for (int i = 0; i < count; ++i) {
+      const auto object = static_cast<std::size_t>(ObjectOf({.object = words[i]}, bits_));
+      const SurfaceLight<Value>& on = light_.surfaces[light_.objects[object]];
+      const float share = facets.n_z[i] > 0.0f ? shares[i] : 0.0f;
+      radiance[i] = Shade(on.sun, on.sky, on.bounce, facets.n_z[i], to_zenith[i], share);
+      if (light_.lamps.empty() && !objects_.HasStains(object)) continue;
+      const Eigen::Vector3f normal(facets.n_x[i], facets.n_y[i], facets.n_z[i]);
+      const Tan from{facets.from_x[i], facets.from_y[i]};
+      const float inverse_depth = facets.inverse_depth[i];
+      const Pixel pixel = row.At(first + i);
+      if (!light_.lamps.empty()) {
+        light_.AddLamps(on, PointAt(from, inverse_depth), R_CU_ * normal, 1.0f, radiance[i]);
+      }
+      radiance[i] =
+          objects_.Stain(object, from, MeanRay(pixel), inverse_depth, normal, pixel) * radiance[i];
+    }
+  }
+
   /// Of pixels first to first + count - 1 of a row, all of whose rays met the board.
   void Board(std::size_t board, const PixelRow& row, int first, int count, Value* radiance) const {
     for (int i = 0; i < count; i += kBoardAtOnce) {
@@ -159,6 +193,14 @@ class SceneShader {
     Eigen::Vector3f n_C;
   };
 
+  static Tan MeanRay(const Pixel& pixel) {
+    Tan sum;
+    for (int k = 0; k < kRays; ++k) {
+      const Tan ray = pixel.Ray(k);
+      sum = {sum.x + ray.x, sum.y + ray.y};
+    }
+    return {sum.x / kRays, sum.y / kRays};
+  }
   static Eigen::Vector3f PointAt(Tan tan, float inverse_depth) {
     const float z = 1.0f / inverse_depth;
     return {z * tan.x, z * tan.y, z};

@@ -1,6 +1,7 @@
 #include "render/view_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/two_widths.h"
@@ -72,6 +73,22 @@ void ViewSampler::Mark(const PixelRow& row, int first, int last, const TanRect& 
         (x[i] + hx >= left) & (x[i] - hx < right) & (y[i] + hy >= top) & (y[i] - hy < bottom);
     marks[i] = mark ? 1 : 0;
   }
+}
+
+DOCKYARD_TWO_WIDTHS
+void ViewSampler::MeanFrom(const RowRays& rays, int first, int count, float* __restrict x,
+                           float* __restrict y) const {
+  const auto mean = [&](const std::array<std::vector<float>, kRays>& steps, float per, float origin,
+                        float* __restrict out) {
+    const float *a = &steps[0][first], *b = &steps[1][first];
+    const float *c = &steps[2][first], *d = &steps[3][first];
+    const auto from = [&](float step) { return (step + 0.5f) * per + origin; };
+    for (int i = 0; i < count; ++i) {
+      out[i] = (from(a[i]) + from(b[i]) + from(c[i]) + from(d[i])) * 0.25f;
+    }
+  };
+  mean(rays.columns, per_sx_, x0_, x);
+  mean(rays.lines, per_sy_, y0_, y);
 }
 
 void ViewSampler::Hold(const PixelRow& row, int count, std::uint8_t* held) const {
