@@ -174,8 +174,8 @@ void Interleave(const Row& row, std::uint8_t* __restrict out) {
 
 }  // namespace
 
-RgbImage TakePicture(const ColourRadiance& light, const ColourSensorOptions& options,
-                     double since_s, std::uint64_t key, ColourSensorState& state) {
+RgbImage ExposeColourView(const ColourRadiance& light, const ColourSensorOptions& options,
+                          double since_s, std::uint64_t key, ColourSensorState& state) {
   RequireSound(options);
   const ColourSensorState wanted = Settled(MeanLight(light), options);
   if (state.exposure_e <= 0.0) state = wanted;

@@ -40,7 +40,7 @@ struct ColourSensorState {
 /// Takes a picture, and lets exposure and balance follow what it shows for the next. since_s: since
 /// the last picture. key: stream of this picture's noise. A pure function of its arguments. Throws
 /// std::invalid_argument for a blur over 1.5 px. Values are linear without the gamma.
-RgbImage TakePicture(const ColourRadiance& light, const ColourSensorOptions& options,
-                     double since_s, std::uint64_t key, ColourSensorState& state);
+RgbImage ExposeColourView(const ColourRadiance& light, const ColourSensorOptions& options,
+                          double since_s, std::uint64_t key, ColourSensorState& state);
 
 }  // namespace dockyard

@@ -126,8 +126,8 @@ class Composer {
         view.Prefetch(rays_.at[1][x + kAhead]);
         view.Prefetch(rays_.at[3][x + kAhead]);
       }
-      const Seen &s0 = view.At(rays_.at[0][x]), &s1 = view.At(rays_.at[1][x]);
-      const Seen &s2 = view.At(rays_.at[2][x]), &s3 = view.At(rays_.at[3][x]);
+      const auto &s0 = view.At(rays_.at[0][x]), &s1 = view.At(rays_.at[1][x]);
+      const auto &s2 = view.At(rays_.at[2][x]), &s3 = view.At(rays_.at[3][x]);
       const float a = s0.code, b = s1.code, c = s2.code, d = s3.code;
       const float least = std::min(std::min(a, b), std::min(c, d));
       const float most = std::max(std::max(a, b), std::max(c, d));

@@ -120,7 +120,8 @@ class SceneShader {
   }
 
   /// Of pixels first to first + count - 1 of a row, at most kFacetsAtOnce, each of which met one
-  /// facet of an object: what OfObject gives. words: Seen::object; the normals are filled in here.
+  /// facet of an object: what OfObject gives. words: as the views have them; the normals are filled
+  /// in here.
   void OfFacets(const std::uint32_t* words, FacetRow& facets, const PixelRow& row, int first,
                 int count, Value* radiance) const {
     std::array<float, kFacetsAtOnce> shares{}, to_zenith;

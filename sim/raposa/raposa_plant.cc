@@ -70,7 +70,7 @@ std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras
       SplitMix(StreamKey(seed_, "camera"), static_cast<std::uint64_t>(pictures_++));
   std::vector<CameraImage> images;
   images.push_back({kBackCamera,
-                    TakePicture(light, sensor_, since_s, key, sensor_state_),
+                    ExposeColourView(light, sensor_, since_s, key, sensor_state_),
                     {},
                     camera.shutter_s});
   return images;

@@ -34,8 +34,8 @@ void WriteSamples(const std::string& folder) {
       const ColourTable table = MakeColourTable(marks->spectra, camera);
       ColourSensorState state;
       const RgbImage picture =
-          TakePicture(renderer.RenderThrough(marks->scene, table, MarksView(), {marks->X_WC}),
-                      sensor, 0.1, 1, state);
+          ExposeColourView(renderer.RenderThrough(marks->scene, table, MarksView(), {marks->X_WC}),
+                           sensor, 0.1, 1, state);
       char name[80];
       std::snprintf(name, sizeof name, "/marks_%.1fm_%.0fK.png", distance, temperature);
       Write(folder + name, picture);
@@ -77,7 +77,7 @@ void PrintTimes() {
             marks->scene, table, view,
             PosesInExposure(X_WC, {0, 0, 0}, {0, 0, c.turn_rad_s}, 0.02, motion));
         const double middle = Now_ms();
-        TakePicture(light, {}, 0.1, static_cast<std::uint64_t>(i + 5), state);
+        ExposeColourView(light, {}, 0.1, static_cast<std::uint64_t>(i + 5), state);
         const double end = Now_ms();
         if (i < 0) continue;
         draw += (middle - start) / kFrames;

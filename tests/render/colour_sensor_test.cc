@@ -53,7 +53,7 @@ Eigen::Vector3d MeanOf(const RgbImage& image) {
 TEST(ColourNoise, IsShotAndReadNoise) {
   const Eigen::Vector3d light(300.0, 800.0, 1800.0);
   ColourSensorState state;
-  const RgbImage image = TakePicture(Even(light), Bare(), 0.1, 3, state);
+  const RgbImage image = ExposeColourView(Even(light), Bare(), 0.1, 3, state);
   for (int c = 0; c < 3; ++c) {
     const Law law = LawOf(image, c);
     EXPECT_NEAR(law.mean, light[c] / 10.0, 0.15) << c;
@@ -64,8 +64,8 @@ TEST(ColourNoise, IsShotAndReadNoise) {
 
 TEST(ColourNoise, OfColoursAndPicturesIsIndependent) {
   ColourSensorState state;
-  const RgbImage one = TakePicture(Even({800, 800, 800}), Bare(), 0.1, 3, state);
-  const RgbImage two = TakePicture(Even({800, 800, 800}), Bare(), 0.1, 4, state);
+  const RgbImage one = ExposeColourView(Even({800, 800, 800}), Bare(), 0.1, 3, state);
+  const RgbImage two = ExposeColourView(Even({800, 800, 800}), Bare(), 0.1, 4, state);
   const std::size_t count = one.pixels.size() / 3;
   const auto correlation = [&](auto a, auto b) {
     double sum = 0.0, aa = 0.0, bb = 0.0;
@@ -93,7 +93,7 @@ TEST(ColourNoise, OfFewElectronsWithoutReadNoiseIsPoissons) {
   o.full_well_e = 255.0;
   o.read_noise_e = 0.0;
   ColourSensorState state;
-  const RgbImage image = TakePicture(Even({3, 3, 3}), o, 0.1, 3, state);
+  const RgbImage image = ExposeColourView(Even({3, 3, 3}), o, 0.1, 3, state);
   double none = 0.0, three = 0.0;
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
     none += image.pixels[i] == 0;
@@ -107,11 +107,11 @@ TEST(ColourSensor, HasEqualBitsOnEqualInput) {
   const ColourRadiance light = Even({0.2, 0.3, 0.1});
   ColourSensorState a, b;
   for (std::uint64_t key = 1; key < 4; ++key) {
-    EXPECT_EQ(TakePicture(light, {}, 0.1, key, a), TakePicture(light, {}, 0.1, key, b));
+    EXPECT_EQ(ExposeColourView(light, {}, 0.1, key, a), ExposeColourView(light, {}, 0.1, key, b));
     EXPECT_EQ(a, b);
   }
   ColourSensorState c;
-  EXPECT_NE(TakePicture(light, {}, 0.1, 1, c), TakePicture(light, {}, 0.1, 2, c));
+  EXPECT_NE(ExposeColourView(light, {}, 0.1, 1, c), ExposeColourView(light, {}, 0.1, 2, c));
 }
 
 // A first-order lag of the logarithm: after t the way that is left is exp(-t / lag).
@@ -120,18 +120,18 @@ TEST(ColourExposure, FollowsTheLightWithItsLag) {
   o.fixed_exposure_e = 0.0;
   o.exposure_lag_s = 0.4;
   ColourSensorState state;
-  TakePicture(Even({1, 1, 1}), o, 0.1, 1, state);
+  ExposeColourView(Even({1, 1, 1}), o, 0.1, 1, state);
   const double first = state.exposure_e;
   EXPECT_NEAR(first, o.target_level * o.full_well_e, 1e-3 * first);  // settled at once
   for (int i = 1; i <= 10; ++i) {
-    TakePicture(Even({4, 4, 4}), o, 0.1, 1, state);
+    ExposeColourView(Even({4, 4, 4}), o, 0.1, 1, state);
     const double left = std::log(state.exposure_e / (first / 4.0)) / std::log(4.0);
     EXPECT_NEAR(left, std::exp(-0.1 * i / 0.4), 1e-6) << i;
   }
   o.exposure_lag_s = 0.0;
-  TakePicture(Even({1, 1, 1}), o, 0.1, 1, state);
+  ExposeColourView(Even({1, 1, 1}), o, 0.1, 1, state);
   EXPECT_NEAR(state.exposure_e, first, 1e-3 * first);
-  TakePicture(Even({0, 0, 0}), o, 0.1, 1, state);
+  ExposeColourView(Even({0, 0, 0}), o, 0.1, 1, state);
   EXPECT_EQ(state.exposure_e, o.most_exposure_e);
 }
 
@@ -142,7 +142,7 @@ TEST(ColourExposure, PutsTheLitPartAtItsLevelWhateverIsDark) {
   light.width = light.height = 200;
   light.x0 = light.y0 = 70;
   ColourSensorState state;
-  const RgbImage image = TakePicture(light, o, 0.1, 1, state);
+  const RgbImage image = ExposeColourView(light, o, 0.1, 1, state);
   double sum = 0.0;
   for (int y = 70; y < 130; ++y) {
     for (int x = 70; x < 130; ++x) sum += image.pixels[3 * (200 * y + x) + 1];
@@ -157,15 +157,15 @@ TEST(ColourBalance, MakesTheMeanGreyWithItsLag) {
   o.balance_lag_s = 0.5;
   ColourSensorState state;
   const Eigen::Vector3d warm(1500, 1000, 600), cold(800, 1000, 1400);
-  const Eigen::Vector3d first = MeanOf(TakePicture(Even(warm), o, 0.1, 1, state));
+  const Eigen::Vector3d first = MeanOf(ExposeColourView(Even(warm), o, 0.1, 1, state));
   EXPECT_NEAR(first.x(), first.y(), 0.5);
   EXPECT_NEAR(first.z(), first.y(), 0.5);
-  TakePicture(Even(cold), o, 0.5, 1, state);
+  ExposeColourView(Even(cold), o, 0.5, 1, state);
   const double red = std::exp(-1.0) * std::log(1000.0 / 1500.0) +
                      (1.0 - std::exp(-1.0)) * std::log(1000.0 / 800.0);
   EXPECT_NEAR(std::log(state.balance.x()), red, 1e-5);
   o.balance_lag_s = 0.0;  // beyond the range
-  TakePicture(Even({100, 1000, 100000}), o, 0.5, 1, state);
+  ExposeColourView(Even({100, 1000, 100000}), o, 0.5, 1, state);
   EXPECT_NEAR(state.balance.x(), o.most_balance, 1e-9);
   EXPECT_NEAR(state.balance.z(), 1.0 / o.most_balance, 1e-9);
 }
@@ -174,8 +174,8 @@ TEST(ColourBalance, MakesTheMeanGreyWithItsLag) {
 TEST(ColourSensor, ClipsEachColourByItself) {
   ColourSensorState state;
   const Eigen::Vector3d orange(2000, 600, 100);
-  const Eigen::Vector3d plain = MeanOf(TakePicture(Even(orange), Bare(), 0.1, 1, state));
-  const Eigen::Vector3d sunny = MeanOf(TakePicture(Even(3.0 * orange), Bare(), 0.1, 1, state));
+  const Eigen::Vector3d plain = MeanOf(ExposeColourView(Even(orange), Bare(), 0.1, 1, state));
+  const Eigen::Vector3d sunny = MeanOf(ExposeColourView(Even(3.0 * orange), Bare(), 0.1, 1, state));
   EXPECT_NEAR(plain.y() / plain.x(), 0.3, 0.01);
   EXPECT_NEAR(sunny.x(), 255.0, 0.1);
   EXPECT_NEAR(sunny.y() / sunny.x(), 1800.0 / 2550.0, 0.01);
@@ -188,7 +188,7 @@ TEST(ColourSensor, HasTheTransferCurve) {
   ColourSensorState state;
   const auto level = [&](double share) {
     o.fixed_exposure_e = 1e9 * share;
-    return MeanOf(TakePicture(Even({1, 1, 1}, 8, 8), o, 0.1, 1, state)).y();
+    return MeanOf(ExposeColourView(Even({1, 1, 1}, 8, 8), o, 0.1, 1, state)).y();
   };
   // IEC 61966-2-1: 0.2140 is half, 0.0031308 the end of the straight part, at 0.04045.
   EXPECT_NEAR(level(0.21404), 127.5, 0.6);
@@ -210,7 +210,7 @@ TEST(ColourSensor, PixelsSideBySideShareTheirColour) {
     }
   }
   ColourSensorState state;
-  const RgbImage image = TakePicture(light, o, 0.1, 1, state);
+  const RgbImage image = ExposeColourView(light, o, 0.1, 1, state);
   const auto at = [&](int x, int c) { return double(image.pixels[3 * (16 + x) + c]); };
   const auto brightness = [&](int x) {
     return 0.299 * at(x, 0) + 0.587 * at(x, 1) + 0.114 * at(x, 2);
@@ -226,7 +226,7 @@ TEST(ColourSensor, PixelsSideBySideShareTheirColour) {
 TEST(ColourSensor, RefusesWhatIsNoSensor) {
   ColourSensorState state;
   const auto take = [&](const ColourSensorOptions& o) {
-    return TakePicture(Even({1, 1, 1}, 8, 8), o, 0.1, 1, state);
+    return ExposeColourView(Even({1, 1, 1}, 8, 8), o, 0.1, 1, state);
   };
   EXPECT_NO_THROW(take({}));
   EXPECT_THROW(take({.blur_sigma_px = 3.0}), std::invalid_argument);

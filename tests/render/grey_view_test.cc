@@ -1,4 +1,4 @@
-// A single grey view beside the left one of a pair.
+// A single grey view against the left one of a pair.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,16 +79,6 @@ TEST(GreyView, IsExposedAsTheLeftOneOfAPairOfEqualViews) {
     EXPECT_EQ(ExposeGrey(light, camera, sensor),
               ExposeStereo({light, light}, PairOf(camera), sensor).left);
   }
-}
-
-TEST(GreyView, OfASilentCameraHasNoPixelsAndOfADarkOneNoLight) {
-  const Camera camera = EquidistantCamera(40, 30, 1.0);
-  const RadianceImage light{.width = 40, .height = 30, .values = std::vector<float>(1200, 0.3f)};
-  SensorOptions sensor{.read_noise_e = 0.0};
-  sensor.eyes[0] = EyeState::kSilent;
-  EXPECT_TRUE(ExposeGrey(light, camera, sensor).pixels.empty());
-  sensor.eyes[0] = EyeState::kDark;
-  EXPECT_EQ(ExposeGrey(light, camera, sensor).pixels, std::vector<std::uint8_t>(1200, 0));
 }
 
 TEST(GreyView, OverAnExposureIsTheLeftOneOfThePair) {

@@ -112,8 +112,8 @@ Scenario ScenarioOf(const PictureSetup& setup) {
 
 }  // namespace
 
-TakenPicture TakePictureOf(const PictureSetup& setup,
-                           const std::shared_ptr<KeptRenderer>& renderer) {
+TakenPicture ExposeColourViewOf(const PictureSetup& setup,
+                                const std::shared_ptr<KeptRenderer>& renderer) {
   const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
   if (setup.lamps || setup.arm_rad > 0.0) {
@@ -165,8 +165,8 @@ TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<Kept
   TakenPicture taken;
   taken.nominal = built.nominal;
   taken.pitch_rad = -std::asin(X_WC.R(2, 2));
-  taken.image = TakePicture(light, SensorOf(camera, setup.balance_k), 0.0,
-                            StreamKey(setup.seed, "camera"), state);
+  taken.image = ExposeColourView(light, SensorOf(camera, setup.balance_k), 0.0,
+                                 StreamKey(setup.seed, "camera"), state);
   return taken;
 }
 

@@ -33,8 +33,8 @@ struct TakenPicture {
 };
 
 /// The robot stands still; r_m is from where it stood before it pressed its arm.
-TakenPicture TakePictureOf(const PictureSetup& setup,
-                           const std::shared_ptr<KeptRenderer>& renderer);
+TakenPicture ExposeColourViewOf(const PictureSetup& setup,
+                                const std::shared_ptr<KeptRenderer>& renderer);
 
 /// What stands on the ground in the pyramid's place.
 enum class Instead {

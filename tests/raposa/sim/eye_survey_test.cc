@@ -153,7 +153,7 @@ TEST(RaposaEyeSurvey, FindsTheGuideFromAnywhere) {
     Tally tally;
     for (int i = 0; i < count; ++i) {
       const PictureSetup setup = Drawn(random, edges[b], edges[b + 1], seed++);
-      Count(TakePictureOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
+      Count(ExposeColourViewOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
     }
     char name[64];
     std::snprintf(name, sizeof name, "%.1f to %.1f m", edges[b], edges[b + 1]);
@@ -234,7 +234,7 @@ TEST(RaposaEyeSurvey, MeasuresTheRangeOfANearGuide) {
       setup.beside_rad = Radians(random.Uniform(-3.0, 3.0));
       setup.lamps = true;
       setup.arm_rad = Radians(8.0);
-      const TakenPicture taken = TakePictureOf(setup, renderer);
+      const TakenPicture taken = ExposeColourViewOf(setup, renderer);
       const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
       if (!seen.guide) continue;
       const double r_m = std::hypot(taken.X_VD.x, taken.X_VD.y);
@@ -262,7 +262,7 @@ TEST(RaposaEyeSurvey, TellsTheSideOfAGuideWithoutMarks) {
   for (int i = 0; i < count; ++i) {
     PictureSetup setup = Drawn(random, 0.45, 0.9, 700000 + static_cast<std::uint64_t>(i));
     setup.alpha_rad = std::copysign(random.Uniform(Radians(85.0), Radians(110.0)), i % 2 - 0.5);
-    const TakenPicture taken = TakePictureOf(setup, renderer);
+    const TakenPicture taken = ExposeColourViewOf(setup, renderer);
     const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
     if (!seen.guide || !seen.fits.empty()) continue;
     ++markless;
@@ -284,7 +284,7 @@ TEST(RaposaEyeSurvey, MeasuresTheAngleAt133) {
       PictureSetup setup = Drawn(random, 1.33, 1.3301, seed++);
       setup.alpha_rad = Radians(alpha_deg * (i % 2 ? 1.0 : -1.0));
       setup.light = "even";
-      Count(TakePictureOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
+      Count(ExposeColourViewOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
     }
     char name[64];
     std::snprintf(name, sizeof name, "1.33 m, %.0f deg", alpha_deg);

@@ -32,12 +32,13 @@ int RightIn(double light_k, const HsvBand& orange, const HsvBand& blue,
 int FoundIn(double light_level, bool lamps, const std::shared_ptr<KeptRenderer>& renderer) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const TakenPicture taken = TakePictureOf({.r_m = 0.26 + 0.01 * static_cast<double>(seed % 4),
-                                              .light_level = light_level,
-                                              .lamps = lamps,
-                                              .arm_rad = Radians(8.0),
-                                              .seed = seed},
-                                             renderer);
+    const TakenPicture taken =
+        ExposeColourViewOf({.r_m = 0.26 + 0.01 * static_cast<double>(seed % 4),
+                            .light_level = light_level,
+                            .lamps = lamps,
+                            .arm_rad = Radians(8.0),
+                            .seed = seed},
+                           renderer);
     const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
     found += seen.guide && (seen.guide->centre_px - *taken.guide_px).norm() < 8.0;
   }
