@@ -7,7 +7,7 @@ namespace dockyard::axel {
 Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad) {
   Nominal nominal;
   nominal.rig = rover.stereo.nominal;
-  nominal.shutter_s = rover.stereo.shutter_s;
+  nominal.shutter_s = rover.stereo.sensor.shutter_s;
   nominal.board = station.board;
   nominal.X_DB = BoardInDock(station);
   for (std::size_t i = 0; i < rover.motors.size(); ++i) {

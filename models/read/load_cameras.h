@@ -47,6 +47,10 @@ bool NamesTwoFiles(const std::string& file);
 /// ConfigError.
 double LoadCalibrationError(const std::string& file);
 
+/// The camera for images of that size, which must have its shape; width 0: its own. Throws
+/// ConfigError.
+Camera Sized(const std::string& place, const Camera& camera, int width, int height);
+
 /// Throws ConfigError unless a ray reaches every pixel of the image.
 void RequireRays(const std::string& place, const Camera& camera);
 

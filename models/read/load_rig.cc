@@ -138,18 +138,6 @@ Pair LoadPair(const std::string& file) {
   return OfOurs(root);
 }
 
-/// The camera for images of that size.
-Camera Sized(const std::string& place, const Camera& camera, int width, int height) {
-  if (width == 0) return camera;
-  const double shape = static_cast<double>(width) / height;
-  if (std::abs(shape * camera.height / camera.width - 1.0) > 0.01) {
-    throw ConfigError(place + ": expected a camera of the shape of images of " +
-                      std::to_string(width) + " x " + std::to_string(height) + ", found '" +
-                      std::to_string(camera.width) + " x " + std::to_string(camera.height) + "'");
-  }
-  return Resized(camera, width, height);
-}
-
 void RequireMiddleRay(const std::string& place, const Camera& camera) {
   const Eigen::Vector2d middle(0.5 * (camera.width - 1), 0.5 * (camera.height - 1));
   if (camera.HasRay(middle)) return;
@@ -216,6 +204,17 @@ double LoadCalibrationError(const std::string& file) {
   const Pair pair = LoadPair(file);
   return std::max(
       {pair.calibration_error_px, pair.left.calibration_error_px, pair.right.calibration_error_px});
+}
+
+Camera Sized(const std::string& place, const Camera& camera, int width, int height) {
+  if (width == 0) return camera;
+  const double shape = static_cast<double>(width) / height;
+  if (std::abs(shape * camera.height / camera.width - 1.0) > 0.01) {
+    throw ConfigError(place + ": expected a camera of the shape of images of " +
+                      std::to_string(width) + " x " + std::to_string(height) + ", found '" +
+                      std::to_string(camera.width) + " x " + std::to_string(camera.height) + "'");
+  }
+  return Resized(camera, width, height);
 }
 
 void RequireRays(const std::string& place, const Camera& camera) {

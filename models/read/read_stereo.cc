@@ -3,6 +3,7 @@
 #include "models/parts/mounting.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_mounting.h"
+#include "models/read/visit_sensor.h"
 
 namespace dockyard {
 namespace {
@@ -22,42 +23,10 @@ StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double p
   return rig;
 }
 
-void VisitExposure(Keys& keys, ExposureModel& exposure) {
-  keys.Choice(Optional("rule"), exposure.rule, {"automatic", "fixed", "bracketed"});
-  keys.Number(Optional("percent"), exposure.percent, Between(0.01, 99.0));
-  keys.Number(Optional("level"), exposure.level, Between(0.01, 1.0));
-  keys.Number(Optional("bracket_stops"), exposure.bracket_stops, Positive(8.0));
-  keys.Number(keys.NeededIf(exposure.rule == ExposureRule::kFixed, "fixed_e"), exposure.fixed_e,
-              Positive(1e9));
-}
-
-void VisitFocus(Keys& keys, FocusModel& focus) {
-  keys.Number("focal_length_m", focus.focal_length_m, Between(1e-4, 1.0));
-  keys.Number("f_number", focus.f_number, Between(0.5, 64.0));
-  keys.Number("distance_m", focus.distance_m, Positive(1e6));
-  keys.Number("pixel_pitch_m", focus.pixel_pitch_m, Between(1e-7, 1e-3));
-  keys.Check("distance_m", focus.distance_m > focus.focal_length_m,
-             "a number above focal_length_m");
-}
-
 void VisitAsBuilt(Keys& keys, StereoModel& stereo) {
   keys.Degrees("relative_yaw_deg", stereo.relative_yaw_sigma_rad, NonNegative(5.0));
   keys.Degrees("rotation_deg", stereo.rotation_sigma_rad, NonNegative(5.0));
-  keys.Number("focal_relative", stereo.focal_sigma, NonNegative(0.1));
-  keys.Number("centre_px", stereo.centre_sigma_px, NonNegative(50.0));
-  keys.Number("radial_px", stereo.radial_sigma_px, NonNegative(50.0));
-}
-
-void VisitSensor(Keys& keys, StereoModel& stereo) {
-  keys.Number("full_well_e", stereo.full_well_e, Between(100.0, 1e6));
-  keys.Number("read_noise_e", stereo.read_noise_e, NonNegative(1e4));
-  keys.Number("vignetting_exponent", stereo.vignetting_exponent, NonNegative(8.0));
-  keys.Number("blur_sigma_px", stereo.blur_sigma_px, NonNegative(10.0));
-  keys.Number(Optional("response_sigma"), stereo.response_sigma, NonNegative(0.2));
-  keys.Number(Optional("shutter_s"), stereo.shutter_s, NonNegative(0.1));
-  keys.Integer(Optional("bits"), stereo.bits, 8, 16);
-  keys.Mapping(Unset("exposure"), [&](Keys& in) { VisitExposure(in, stereo.exposure); });
-  keys.Mapping(Unset("focus"), [&](Keys& in) { VisitFocus(in, stereo.focus); });
+  VisitLensErrors(keys, stereo.lens, Presence::kRequired);
 }
 
 }  // namespace
@@ -88,7 +57,8 @@ void VisitStereo(Keys& keys, const char* key, StereoFile& file) {
     in.Number(in.NeededIf(own, "height_m"), file.height_m, Between(-2.0, 3.0));
     in.Degrees(Optional("pitch_deg"), file.pitch_rad, Between(-60.0, 60.0));
     in.Mapping("as_built", [&](Keys& inner) { VisitAsBuilt(inner, stereo); });
-    in.Mapping("sensor", [&](Keys& inner) { VisitSensor(inner, stereo); });
+    in.Mapping("sensor",
+               [&](Keys& inner) { VisitSensor(inner, stereo.sensor, Presence::kRequired); });
   });
 }
 

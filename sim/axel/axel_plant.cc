@@ -54,7 +54,7 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
                                     camera_faults_, seed_);
   sensor.exposure_stops += exposure_stops;
   exposed_truth_ = truth_;
-  const double shutter_s = built_.world.rover.stereo.shutter_s;
+  const double shutter_s = built_.world.rover.stereo.sensor.shutter_s;
   StereoImages pair = Picture(sensor);
   std::vector<CameraImage> images;
   for (const int camera : cameras) {
@@ -68,7 +68,7 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
 // The middle of the exposure is now.
 StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
   StereoRenderer& renderer = renderer_->Get();
-  const double shutter_s = built_.world.rover.stereo.shutter_s;
+  const double shutter_s = built_.world.rover.stereo.sensor.shutter_s;
   const StereoRig& rig = built_.built_rig;
   const auto view = [&](double share, bool with_depth) {
     const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * shutter_s);

@@ -39,7 +39,7 @@ double BoardMotion_px(const Truth& truth, const BuiltRun& built) {
     const double distance_m = std::max(0.3, (p_W_board - truth.X_WR.p - arm_W).norm());
     most_px =
         std::max(most_px, MotionInExposure_px(rig.left, truth.w_WR_W.norm(), v_W.norm(), distance_m,
-                                              built.world.rover.stereo.shutter_s));
+                                              built.world.rover.stereo.sensor.shutter_s));
   }
   return most_px;
 }

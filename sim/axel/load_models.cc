@@ -102,7 +102,7 @@ std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models) {
     return "beside controller " + scenario.controller + ", which takes no bracket";
   }
   for (const ModelSet* set : {&models.told, &models.built}) {
-    if (set->rover.stereo.exposure.rule == ExposureRule::kBracketed) {
+    if (set->rover.stereo.sensor.exposure.rule == ExposureRule::kBracketed) {
       return "beside the robot's cameras.sensor.exposure.rule bracketed, as cameras that change "
              "their exposure by themselves cannot be merged";
     }

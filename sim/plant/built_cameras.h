@@ -1,10 +1,12 @@
-// A stereo pair as it is built, and its sensor.
+// Stereo pairs and single cameras as they are built, and their sensors.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "models/parts/camera_model.h"
 #include "models/parts/cameras.h"
+#include "render/colour_sensor.h"
 #include "render/stereo_renderer.h"
 #include "sim/base/random.h"
 
@@ -18,8 +20,23 @@ StereoRig BuiltRig(const StereoModel& stereo, const Seed& run_seed,
 /// The pair's sensor, for image number index of a run.
 SensorOptions CameraSensor(const StereoModel& stereo, const Seed& run_seed, int index);
 
-/// Throws ConfigError when an image of these cameras reaches further from a lens's axis than the
+/// A single camera with the manufacturing errors of this run.
+struct BuiltOne {
+  Camera camera;
+  Pose3 X_LC;  // in its link
+};
+BuiltOne BuiltCamera(const CameraModel& model, const Seed& run_seed, const std::string& stream);
+
+/// Its sensor for image number index. `stream`: of the run's seed, another for each camera.
+SensorOptions CameraSensor(const CameraModel& model, const Seed& run_seed, int index,
+                           const std::string& stream);
+/// That of a colour camera, which sets its own white balance.
+ColourSensorOptions ColourSensorOf(const CameraModel& model);
+
+/// Throws ConfigError when an image of this camera reaches further from the lens's axis than the
 /// renderer draws (docs/reference/images.md). The message begins with `place`.
+void CheckImageCanBeDrawn(const Camera& camera, const std::string& place);
+/// The same of both cameras.
 void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place);
 
 }  // namespace dockyard

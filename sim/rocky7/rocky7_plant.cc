@@ -78,7 +78,7 @@ std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras
     if (pairs.count(pair.left) == 0) pairs[pair.left] = TakePair(pair, exposure_stops);
     StereoImages& both = pairs[pair.left];
     images.push_back(
-        {camera, camera == pair.left ? both.left : both.right, {}, pair.model.shutter_s});
+        {camera, camera == pair.left ? both.left : both.right, {}, pair.model.sensor.shutter_s});
   }
   return images;
 }
@@ -88,7 +88,7 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
   sensor.exposure_stops += exposure_stops;
   StereoRenderer& renderer = renderer_->Get();
   const auto view = [&](double share, bool with_depth) {
-    const double seconds = share * pair.model.shutter_s;
+    const double seconds = share * pair.model.sensor.shutter_s;
     const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, seconds);
     const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
@@ -96,10 +96,10 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
   };
   const Pose3 X_WB = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
   const ExposureMotion motion =
-      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, pair.model.shutter_s);
+      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, pair.model.sensor.shutter_s);
   const double motion_px =
       MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
-                          kNearest_m, pair.model.shutter_s);
+                          kNearest_m, pair.model.sensor.shutter_s);
   return ExposeStereo(OverExposure(motion_px, pair.built, motion, view), pair.built, sensor);
 }
 

@@ -102,16 +102,16 @@ TEST_P(BuiltRigs, HaveOtherFocalLengthsAndCentres) {
   const double focal = Rms(stereo_, [&](const StereoRig& built) {
     return built.right.focal_px().x() / nominal.focal_px().x() - 1.0;
   });
-  EXPECT_NEAR(focal / stereo_.focal_sigma, 1.0, kShare);
+  EXPECT_NEAR(focal / stereo_.lens.focal_sigma, 1.0, kShare);
   const double centre = Rms(stereo_, [&](const StereoRig& built) {
     return built.right.centre_px().x() - nominal.centre_px().x();
   });
-  EXPECT_NEAR(centre / stereo_.centre_sigma_px, 1.0, kShare);
+  EXPECT_NEAR(centre / stereo_.lens.centre_sigma_px, 1.0, kShare);
 }
 
 TEST_P(BuiltRigs, BendTheLensByTheirRadialTerm) {
   StereoModel only = stereo_;
-  only.focal_sigma = only.centre_sigma_px = 0.0;
+  only.lens.focal_sigma = only.lens.centre_sigma_px = 0.0;
   const Camera& nominal = stereo_.nominal.left;
   const Eigen::Vector2d edge = nominal.centre_px() - Eigen::Vector2d(0.5 * nominal.width, 0.0);
   const LensRay ray = nominal.Ray(edge);
@@ -119,7 +119,7 @@ TEST_P(BuiltRigs, BendTheLensByTheirRadialTerm) {
     return (*built.left.Project(ray.origin + 5.0 * ray.direction) - edge).x();
   });
   // CAHVORE's own measure of angle makes it up to a tenth less.
-  EXPECT_NEAR(bend / stereo_.radial_sigma_px, 1.0, kShare + 0.1);
+  EXPECT_NEAR(bend / stereo_.lens.radial_sigma_px, 1.0, kShare + 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(, BuiltRigs, testing::Values("", "navcam.yaml"), [](const auto& info) {

@@ -20,7 +20,7 @@ class ExposureKeys : public testing::Test {
                                           "\n  sensor:\n" + lines + "\n"));
   }
   ExposureModel Exposure(const std::string& lines) const {
-    return LoadRover(WithSensor(lines)).stereo.exposure;
+    return LoadRover(WithSensor(lines)).stereo.sensor.exposure;
   }
   /// The message after the file and line, which are checked here.
   std::string Refused(const std::string& lines) const {

@@ -1,0 +1,39 @@
+// What is behind a camera's lens, and how far a built lens may be off its design.
+#pragma once
+
+namespace dockyard {
+
+/// How the images' exposure is set.
+enum class ExposureRule { kAutomatic, kFixed, kBracketed };
+struct ExposureModel {
+  ExposureRule rule = ExposureRule::kAutomatic;
+  double percent = 5.0;        // automatic: this share of the pixels exceeds ...
+  double level = 0.49;         // ... this share of the full well
+  double fixed_e = 0.0;        // fixed: electrons of radiance 1
+  double bracket_stops = 2.0;  // bracketed: images in turn at 0, less, more
+};
+
+/// Thin lens; all is sharp when distance_m is 0.
+struct FocusModel {
+  double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
+};
+
+struct SensorModel {
+  double full_well_e = 0.0, read_noise_e = 0.0;
+  double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis
+  double blur_sigma_px = 0.0;        // lens and pixel together
+  double response_sigma = 0.0;       // of pixels among each other
+  double shutter_s = 0.0;            // open for so long; 0: a moving camera is sharp, too
+  int bits = 8;                      // of a pixel; the controller gets the upper eight
+  ExposureModel exposure;
+  FocusModel focus;
+};
+
+/// 1 sigma each.
+struct LensErrors {
+  double focal_sigma = 0.0;  // relative
+  double centre_sigma_px = 0.0;
+  double radial_sigma_px = 0.0;  // lens's radial term, at the middle of the image's left edge
+};
+
+}  // namespace dockyard
