@@ -1,0 +1,78 @@
+#include "sim/plant/camera_view.h"
+
+#include "controller/base/check.h"
+#include "controller/base/split_mix.h"
+#include "render/shutter.h"
+
+namespace dockyard {
+
+CameraMotion CameraOnLink(const Pose3& X_LC, const Pose3& X_WL, const Eigen::Vector3d& v_WL_W,
+                          const Eigen::Vector3d& w_WL_W) {
+  const Pose3 X_WC = X_WL * X_LC;
+  return {X_WC, v_WL_W + w_WL_W.cross(X_WC.p - X_WL.p), w_WL_W};
+}
+
+CameraView::CameraView(const CameraModel& model, const Seed& run_seed, int number)
+    : model_(model),
+      seed_(run_seed),
+      number_(number),
+      stream_("camera " + model.name),
+      built_(BuiltCamera(model, run_seed, stream_)) {}
+
+double CameraView::MotionIn_px(const CameraMotion& motion, double nearest_m) const {
+  return MotionInExposure_px(built_.camera, motion.w_WC_W.norm(), motion.v_WC_W.norm(), nearest_m,
+                             model_.sensor.shutter_s);
+}
+
+CameraImage CameraView::Take(StereoRenderer& renderer, const SceneAt& scene,
+                             const ColourTable* colours, const CameraMotion& motion, Tick now,
+                             const Conditions& conditions) {
+  CameraImage image{number_, GrayImage{}, now, model_.sensor.shutter_s};
+  if (!model_.colour) {
+    image.pixels = TakeGrey(renderer, scene, motion, conditions);
+  } else {
+    DOCKYARD_CHECK(colours != nullptr);
+    image.pixels = TakeColour(renderer, scene(0.0), *colours, motion, now, conditions);
+  }
+  ++taken_;
+  last_ = now;
+  return image;
+}
+
+GrayImage CameraView::TakeGrey(StereoRenderer& renderer, const SceneAt& scene,
+                               const CameraMotion& motion, const Conditions& conditions) {
+  SensorOptions sensor = CameraSensor(model_, seed_, taken_, stream_);
+  sensor.exposure_stops += conditions.exposure_stops;
+  if (conditions.faults) conditions.faults(sensor);
+  const double shutter_s = model_.sensor.shutter_s;
+  const auto view = [&](double share, bool with_depth) {
+    const double seconds = share * shutter_s;
+    return renderer.RenderGrey(scene(seconds), built_.camera,
+                               MovedOn(motion.X_WC, motion.v_WC_W, motion.w_WC_W, seconds),
+                               with_depth || sensor.focus.distance_m > 0.0);
+  };
+  const ExposureMotion moved =
+      MotionOverExposure(motion.X_WC.R, motion.v_WC_W, motion.w_WC_W, shutter_s);
+  return ExposeGrey(
+      OverExposure(MotionIn_px(motion, conditions.nearest_m), built_.camera, moved, view),
+      built_.camera, sensor);
+}
+
+RgbImage CameraView::TakeColour(StereoRenderer& renderer, const Scene& scene,
+                                const ColourTable& colours, const CameraMotion& motion, Tick now,
+                                const Conditions& conditions) {
+  const ColourSensorOptions sensor = ColourSensorOf(model_);
+  const std::vector<Pose3> poses = PosesInExposure(
+      motion.X_WC, motion.v_WC_W, motion.w_WC_W, model_.sensor.shutter_s,
+      MotionIn_px(motion, conditions.nearest_m), StepsUnderBlur(sensor.blur_sigma_px));
+  const ColourView view{.camera = built_.camera,
+                        .hole = {},
+                        .vignetting_exponent = model_.sensor.vignetting_exponent};
+  const ColourRadiance light = renderer.RenderThrough(scene, colours, view, poses);
+  const double since_s = taken_ > 0 ? static_cast<double>(now - last_) * kTickSeconds : 0.0;
+  const std::uint64_t key =
+      SplitMix(StreamKey(seed_, stream_ + " noise"), static_cast<std::uint64_t>(taken_));
+  return ExposeColourView(light, sensor, since_s, key, colour_state_);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,150 @@
+// The images of single cameras in a room with a dock.
+#include "sim/plant/camera_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plant/dock_room.h"
+#include "render/measure.h"
+
+namespace dockyard {
+namespace {
+
+CameraModel SmallCamera(bool colour = false) {
+  CameraModel model;
+  model.name = "front";
+  model.colour = colour;
+  model.nominal = {.width = 160,
+                   .height = 120,
+                   .lens = BrownPinhole{.fx = 120, .fy = 120, .cx = 79.5, .cy = 59.5}};
+  model.X_LC = ForwardCamera(0.1, 0.0, 0.25);
+  model.sensor.full_well_e = 5500.0;
+  model.sensor.read_noise_e = 10.0;
+  model.sensor.blur_sigma_px = 0.7;
+  model.sensor.shutter_s = 0.01;
+  return model;
+}
+
+ColourTable Grey() {
+  SceneSpectra spectra;
+  spectra.materials = {EvenGrey(0.4)};
+  return MakeColourTable(spectra, CheapCamera());
+}
+
+struct Shot {
+  DockRoom room;
+  StereoRenderer renderer;
+  CameraImage Take(CameraView& view, const CameraMotion& motion, Tick now = 0,
+                   const CameraView::Conditions& conditions = {}) {
+    static const ColourTable colours = Grey();
+    return view.Take(
+        renderer, [&](double) { return room.SceneAt(motion.X_WC); }, &colours, motion, now,
+        conditions);
+  }
+};
+
+const GrayImage& GreyOf(const CameraImage& image) { return std::get<GrayImage>(image.pixels); }
+
+TEST(CameraView, GivesTheSameBitsForTheSameSeedAndOtherNoiseInEachImage) {
+  Shot shot;
+  const CameraMotion motion{shot.room.CameraAt(1.0)};
+  CameraView one(SmallCamera(), 7, 2), again(SmallCamera(), 7, 2), other(SmallCamera(), 8, 2);
+  const CameraImage first = shot.Take(one, motion, 30);
+  EXPECT_EQ(first.camera, 2);
+  EXPECT_EQ(first.exposed, 30);
+  EXPECT_EQ(first.exposure_s, 0.01);
+  EXPECT_EQ(GreyOf(first), GreyOf(shot.Take(again, motion)));
+  EXPECT_NE(GreyOf(first), GreyOf(shot.Take(one, motion)));
+  EXPECT_NE(GreyOf(first), GreyOf(shot.Take(other, motion)));
+}
+
+double Sharpness(const GrayImage& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 1; x < image.width; ++x) {
+      sum += std::pow(image.at(x, y) - image.at(x - 1, y), 2.0);
+    }
+  }
+  return sum;
+}
+
+TEST(CameraView, ATurningCameraBlursAsItsShutterIsOpen) {
+  Shot shot;
+  CameraMotion motion{shot.room.CameraAt(0.6)};
+  CameraModel model = SmallCamera();
+  model.sensor.full_well_e = 1e6;  // hardly any noise
+  CameraView still(model, 7, 0), turning(model, 7, 0);
+  const double sharp = Sharpness(GreyOf(shot.Take(still, motion)));
+  motion.w_WC_W = {0.0, 0.0, 3.0};  // 3.6 px
+  EXPECT_LT(Sharpness(GreyOf(shot.Take(turning, motion))), 0.7 * sharp);
+}
+
+TEST(CameraView, ACentreOffTheLinksOriginMovesByItsTurning) {
+  const CameraMotion motion =
+      CameraOnLink(Pose3::Translation(0.5, 0.0, 0.0), {RotZ(kPi / 2), {1.0, 2.0, 0.0}}, {0.1, 0, 0},
+                   {0.0, 0.0, 2.0});
+  EXPECT_TRUE(motion.X_WC.p.isApprox(Eigen::Vector3d(1.0, 2.5, 0.0), 1e-12));
+  EXPECT_TRUE(motion.v_WC_W.isApprox(Eigen::Vector3d(0.1 - 1.0, 0.0, 0.0), 1e-12));
+}
+
+TEST(CameraView, ColourCameraOfAGreyRoomGivesGreyAndSettlesItsExposure) {
+  Shot shot;
+  CameraView view(SmallCamera(true), 7, 1);
+  const CameraImage image = shot.Take(view, {shot.room.CameraAt(1.0)});
+  const RgbImage& rgb = std::get<RgbImage>(image.pixels);
+  ASSERT_EQ(rgb.pixels.size(), 3u * 160 * 120);
+  double sums[3] = {};
+  for (std::size_t i = 0; i < rgb.pixels.size(); ++i) sums[i % 3] += rgb.pixels[i];
+  const double mean = (sums[0] + sums[1] + sums[2]) / (3.0 * 160 * 120);
+  EXPECT_GT(mean, 50.0);
+  EXPECT_LT(mean, 200.0);
+  for (const double sum : sums) EXPECT_NEAR(sum / (160 * 120), mean, 6.0);
+}
+
+TEST(CameraView, BuiltCameraIsOffByItsSigmas) {
+  CameraModel model = SmallCamera();
+  model.errors = {.rotation_sigma_rad = 0.01,
+                  .place_sigma_m = 0.002,
+                  .lens = {.focal_sigma = 0.003, .centre_sigma_px = 2.0, .radial_sigma_px = 0.0}};
+  constexpr int kSeeds = 2000;
+  Eigen::Vector3d turns = Eigen::Vector3d::Zero(), shifts = turns;
+  double focal = 0.0, centre = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const BuiltOne built = BuiltCamera(model, seed, "camera front");
+    const Eigen::Matrix3d off = model.X_LC.R.transpose() * built.X_LC.R;
+    turns += Eigen::Vector3d(off(2, 1), off(0, 2), off(1, 0)).cwiseAbs2();
+    shifts += (built.X_LC.p - model.X_LC.p).cwiseAbs2();
+    focal += std::pow(built.camera.focal_px().x() / 120.0 - 1.0, 2.0);
+    centre += std::pow(built.camera.centre_px().x() - 79.5, 2.0);
+  }
+  const auto rms = [](double sum) { return std::sqrt(sum / kSeeds); };
+  for (int i = 0; i < 3; ++i) {  // 2 000 draws tell a sigma within 1.6 % (1 sigma)
+    EXPECT_NEAR(rms(turns[i]), 0.01, 0.0007);
+    EXPECT_NEAR(rms(shifts[i]), 0.002, 0.00014);
+  }
+  EXPECT_NEAR(rms(focal), 0.003, 0.0002);
+  EXPECT_NEAR(rms(centre), 2.0, 0.14);
+}
+
+TEST(CameraView, FaultsChangeTheSensor) {
+  Shot shot;
+  CameraView view(SmallCamera(), 7, 0);
+  const CameraMotion motion{shot.room.CameraAt(1.0)};
+  const auto mean = [&](const CameraView::Conditions& conditions) {
+    double sum = 0.0;
+    for (const std::uint8_t p : GreyOf(shot.Take(view, motion, 0, conditions)).pixels) sum += p;
+    return sum / (160 * 120);
+  };
+  const double clean = mean({});
+  const auto half = [](SensorOptions& sensor) {
+    sensor.fixed_exposure_e = 5000.0;
+    sensor.windows[0] = {.distance_m = 0.01, .pupil_m = 0.002, .cover_share = 0.5};
+  };
+  const auto open = [](SensorOptions& sensor) { sensor.fixed_exposure_e = 5000.0; };
+  EXPECT_GT(clean, 0.0);
+  EXPECT_NEAR(mean({.faults = half}) / mean({.faults = open}), 0.5, 0.15);
+}
+
+}  // namespace
+}  // namespace dockyard
