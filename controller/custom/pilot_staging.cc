@@ -1,0 +1,109 @@
+// Phases before the drive into the dock.
+#include <algorithm>
+#include <cmath>
+
+#include "controller/custom/pilot.h"
+
+namespace dockyard::custom {
+namespace {
+
+// Sightings at rest that a drive begins with. Assumed, 2-10.
+constexpr int kFixes = 3;
+// The drive in begins from within these of the staging pose. Assumed, 5-20 cm, 5-20 deg.
+constexpr double kStaging_m = 0.12, kStaging_rad = Radians(15.0);
+// Where turns and drives to the staging pose end. Assumed, 1-5 cm, 1-5 deg.
+constexpr double kArrived_m = 0.02, kTurned_rad = Radians(3.0), kFaced_rad = Radians(1.0);
+constexpr double kSteered_m = 0.1;             // nearer, the bearing of a point is not steered to
+constexpr double kAstray_rad = Radians(45.0);  // the robot turns to the point again
+constexpr double kSteer_per_s = 1.5;           // turning rate by the bearing; assumed, 1-3
+constexpr double kMostSearch_rad = 4.0 * kPi;  // two turns
+constexpr int kMostStagings = 6;               // drives to the staging pose in a try; assumed, 3-10
+constexpr int kMostSearches = 8;               // in a try; assumed, 4-12
+constexpr double kSettled_s = 1.0;             // of a contact that is closed at the start
+
+}  // namespace
+
+bool Pilot::IsAtStaging() const {
+  const Pose2 at = X_DA();
+  const Pose2& staging = parts_.plan.X_DA_staging;
+  return std::hypot(at.x - staging.x, at.y - staging.y) < kStaging_m &&
+         std::abs(WrapPi(at.heading - parts_.plan.measuring_rad)) < kStaging_rad;
+}
+
+Twist Pilot::PerceiveDock() {
+  if (parts_.contact.closed_s(now_) > kSettled_s) return Enter(Phase::kWait, "contact is closed");
+  if (requests_.unanswered(now_)) return Enter(Phase::kGivenUp, "no camera gives an image");
+  if (here_.fixes >= kFixes) {
+    if (IsAtStaging()) {
+      return parts_.plan.drives_blind ? Enter(Phase::kTurnRound, "dock measured")
+                                      : Enter(Phase::kControl, "dock measured");
+    }
+    if (++tries_.stagings > kMostStagings) {
+      tries_.stagings = 0;
+      return TryAgain("the staging pose is not reached");
+    }
+    const Eigen::Vector2d staging(parts_.plan.X_DA_staging.x, parts_.plan.X_DA_staging.y);
+    tries_.sense = (Inverse(X_DA()) * staging).x() < 0.0 ? -1.0 : 1.0;
+    return Enter(Phase::kTurnTo, "dock detected");
+  }
+  if (here_.For(now_) > parts_.nominal.docking.perception_s) {
+    if (++tries_.searches > kMostSearches)
+      return Enter(Phase::kGivenUp, "too few sightings of the dock");
+    return Enter(Phase::kSearch, "no dock detected");
+  }
+  return {};
+}
+
+Twist Pilot::Search() {
+  if (requests_.unanswered(now_)) return Enter(Phase::kGivenUp, "no camera gives an image");
+  if (here_.fixes > 0) {
+    tries_.searched_rad += std::abs(here_.turned_rad);
+    return Enter(Phase::kPerceive, "dock in view");
+  }
+  if (tries_.searched_rad + std::abs(here_.turned_rad) > kMostSearch_rad)
+    return Enter(Phase::kGivenUp, "no dock detected in two turns");
+  const DockingOptions& options = parts_.nominal.docking;
+  return {0.0, std::min(options.search_rad_s, options.most_rad_s)};
+}
+
+Twist Pilot::TurnTo() {
+  const Eigen::Vector2d p_AS =
+      Inverse(X_DA()) * Eigen::Vector2d(parts_.plan.X_DA_staging.x, parts_.plan.X_DA_staging.y);
+  if (p_AS.norm() < kArrived_m) return Enter(Phase::kFace, "at the staging pose");
+  const double bearing = std::atan2(tries_.sense * p_AS.y(), tries_.sense * p_AS.x());
+  if (std::abs(bearing) < kTurned_rad) return Enter(Phase::kStaging, "turned to the staging pose");
+  return TurnBy(bearing, parts_.nominal.docking);
+}
+
+Twist Pilot::Stage() {
+  const DockingOptions& options = parts_.nominal.docking;
+  const Eigen::Vector2d p_AS =
+      tries_.sense *
+      (Inverse(X_DA()) * Eigen::Vector2d(parts_.plan.X_DA_staging.x, parts_.plan.X_DA_staging.y));
+  const double bearing = std::atan2(p_AS.y(), p_AS.x());
+  const bool is_near = p_AS.norm() < kSteered_m;
+  if (!is_near && std::abs(bearing) > kAstray_rad)
+    return Enter(Phase::kTurnTo, "off the line to the staging pose");
+  if (p_AS.x() < kArrived_m) return Enter(Phase::kFace, "at the staging pose");
+  const double speed =
+      std::min(options.most_m_s, BrakingSpeed(p_AS.x(), options.press_m_s, options.accel_m_s2));
+  const double turn = is_near ? 0.0 : kSteer_per_s * bearing;
+  return {tries_.sense * speed, std::clamp(turn, -options.most_rad_s, options.most_rad_s)};
+}
+
+Twist Pilot::TurnToward(double heading_D_rad, double within_rad, Phase next,
+                        const std::string& note) {
+  const double left = WrapPi(heading_D_rad - X_DA().heading);
+  if (std::abs(left) < within_rad) return Enter(next, note);
+  return TurnBy(left, parts_.nominal.docking);
+}
+
+Twist Pilot::Face() {
+  return TurnToward(parts_.plan.measuring_rad, kFaced_rad, Phase::kPerceive, "faces the dock");
+}
+
+Twist Pilot::TurnRound() {
+  return TurnToward(parts_.plan.X_DA_docked.heading, kFaced_rad, Phase::kControl, "turned round");
+}
+
+}  // namespace dockyard::custom
