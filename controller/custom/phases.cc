@@ -30,7 +30,7 @@ constexpr double kOwn_s = 1e9;
 constexpr std::array<Row, kPhaseCount> kRows{{
     {"initial_perception", true, kOwn_s,
      kFailed | Set({kSearch, kTurnTo, kTurnRound, kControl, kWait})},
-    {"search", true, 120.0, kFailed},
+    {"search", true, 120.0, kFailed | Set({kTurnTo})},
     {"turn_to_staging", true, 30.0, kFailed | Set({kStaging, kFace})},
     {"staging", true, 90.0, kFailed | Set({kTurnTo, kFace})},
     {"face_dock", true, 30.0, kFailed},

@@ -7,7 +7,7 @@ namespace dockyard::custom {
 enum class Phase {
   kPerceive,   // at rest, until sightings give the dock's pose
   kSearch,     // turns in place to detect the dock
-  kTurnTo,     // turns to the staging pose, or its back to it
+  kTurnTo,     // turns to the staging pose, or its back to it; or to where it detected the dock
   kStaging,    // drives there
   kFace,       // turns there to where a camera measures the dock
   kTurnRound,  // turns to the docked heading, if no camera sees the dock in it

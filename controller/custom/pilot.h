@@ -53,7 +53,10 @@ class Pilot final : public Controller {
     double back_m = 0.0;        // to back off
     double least_left_m = 0.0;  // on the approach
     Tick nearer_at = 0;         // when it last fell
-    Tick marks_at = 0;          // of the last sighting that the filter took
+    Pose2 X_OA_detected;        // where the dock was last measured at rest
+    bool returns = false;       // to there, not to the staging pose
+    int returned = 0;
+    Tick marks_at = 0;  // of the last sighting that the filter took
   };
 
   void ReadSensors(const SensorFrame& sensed);
@@ -71,6 +74,8 @@ class Pilot final : public Controller {
   Twist Wait();
   Twist Wiggle();
   Twist BackOff();
+  Eigen::Vector2d RoutePoint() const;
+  Twist Return();
   Twist TurnToward(double heading_D_rad, double within_rad, Phase next, const std::string& note);
   Twist Enter(Phase phase, const std::string& note);
   Twist TryAgain(const std::string& why);

@@ -134,7 +134,10 @@ Twist Pilot::Wiggle() {
 Twist Pilot::BackOff() {
   const DockingOptions& options = parts_.nominal.docking;
   const double left_m = tries_.back_m - std::abs(here_.driven_m);
-  if (left_m <= 0.0) return Enter(Phase::kFace, "backed off");
+  if (left_m <= 0.0) {
+    tries_.returns = false;
+    return Enter(Phase::kFace, "backed off");
+  }
   const double speed = std::min(kBackOff_share * options.most_m_s,
                                 BrakingSpeed(left_m, options.press_m_s, options.accel_m_s2));
   return {-parts_.plan.travel * speed, 0.0};

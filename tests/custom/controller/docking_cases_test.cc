@@ -113,6 +113,21 @@ TEST(DockingCases, GivesUpInTimeWhereMarksAreLostForGood) {
   EXPECT_THAT(run.belief.note, HasSubstr("no dock detected"));
 }
 
+TEST(DockingCases, ReturnsToWhereItDetectedADockThatItNoLongerSees) {
+  KinematicWorld world;
+  world.X_DR_start = {2.0, 0.5, kPi};
+  // Marks show until the robot is near, and again once it has been back.
+  world.marks_show = [lost_s = 0.0, back = false](double time_s, double range_m) mutable {
+    if (lost_s == 0.0 && range_m < 1.3) lost_s = time_s;
+    back = back || (lost_s > 0.0 && time_s > lost_s + 10.0 && range_m > 1.25);
+    return lost_s == 0.0 || back;
+  };
+  const KinematicRun run = RunKinematic(NominalOf(), world);
+  EXPECT_EQ(run.verdict, Verdict::kDone) << run.belief.note;
+  EXPECT_THAT(run.phases, Contains("search"));
+  EXPECT_TRUE(run.closed);
+}
+
 TEST(DockingCases, DrivesTheLastPartByDeadReckoning) {
   KinematicWorld world;
   world.left_scale = world.right_scale = 1.02;
