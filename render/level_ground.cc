@@ -22,7 +22,7 @@ void AddLevelGround(const GroundView& ground, const Pose3& X_WV, FlatView& view)
     Seen* row = &view.seen[static_cast<std::size_t>(y) * view.width];
     for (int x = 0; x < view.width; ++x) {
       const float code = first + static_cast<float>(x) * per_x;
-      if (code > -row[x].code && code > 0.0f && code < nearest)
+      if (code > InverseDepth(row[x].code) && code > 0.0f && code < nearest)
         row[x] = {.object = 0, .code = code};
     }
   }
