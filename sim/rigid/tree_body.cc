@@ -55,7 +55,6 @@ TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, cons
   if (speeds > kMostSpeeds || count > kMostLinks) {
     throw std::invalid_argument("a tree has too many links");
   }
-  DOCKYARD_CHECK(speeds > 0);
   motion_.resize(count);
   com_G_.resize(count);
   axis_G_.resize(count);

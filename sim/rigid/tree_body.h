@@ -81,7 +81,7 @@ class TreeBody {
   using PointJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostSpeeds>;
 
   /// The base comes first and stands at X_GB; all angles are 0. Each link has a mass and comes
-  /// after its parent.
+  /// after its parent. A fixed base without joints has no speeds and never moves.
   TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB,
            const TreeRules& rules = {});
 
