@@ -128,9 +128,16 @@ std::vector<std::string> FileKeys(const std::vector<KnownSystem>& systems) {
   for (const KeyRow& row : ScenarioRows()) {
     if (row.kind == KeyRow::Kind::kFile) keys.push_back(row.key);
   }
-  keys.insert(keys.end(), {"yard.patches[].soil", "scenery[].file"});
+  keys.insert(keys.end(), {"robot.file", "robot.urdf", "yard.patches[].soil", "scenery[].file"});
   for (const KnownSystem& system : systems) {
-    for (const std::string& key : system.file_keys) keys.push_back(system.name + "." + key);
+    for (const std::string& key : system.file_keys) {
+      keys.push_back(system.name + "." + key);
+      // As short forms have them.
+      if (std::find(system.root_keys.begin(), system.root_keys.end(), key) !=
+          system.root_keys.end()) {
+        keys.insert(keys.end(), {key, key + ".file", key + ".urdf"});
+      }
+    }
     for (const std::string& key : system.changes_file_keys) {
       keys.insert(keys.end(), {"changes." + key, "as_built." + key});
     }

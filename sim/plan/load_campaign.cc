@@ -14,6 +14,7 @@
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/other_file_kind.h"
 #include "sim/scenario/scenario_keys.h"
+#include "sim/scenario/short_forms.h"
 
 namespace dockyard {
 namespace {
@@ -251,7 +252,7 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   campaign.name = NameOf(in);
   campaign.file = file;
   campaign.seed = in.SeedOr("seed", 1);
-  campaign.base = BaseTree(in);
+  campaign.base = WithoutShortForms(BaseTree(in), systems.known);
   campaign.table = ReadTableOf(in, campaign.tree);
   ReadTags(in, campaign);
   ReadArms(in, campaign);

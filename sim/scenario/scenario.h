@@ -146,7 +146,8 @@ struct KnownSystem {
   bool spoiled_pictures = false;         // whether its cameras may be dead, covered or dusty
   bool rocks = false;                    // whether rocks may lie in its yard
   std::vector<FormerName> former_controllers{};
-  Start start{};  // the numbers that a start has
+  Start start{};                         // the numbers that a start has
+  std::vector<std::string> root_keys{};  // keys under its own name that may be at the root instead
 };
 
 /// One run of many, or alone.

@@ -14,6 +14,7 @@
 #include "sim/scenario/patch_keys.h"
 #include "sim/scenario/rock_keys.h"
 #include "sim/scenario/scenery_keys.h"
+#include "sim/scenario/short_forms.h"
 
 namespace dockyard {
 namespace {
@@ -293,7 +294,8 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   RefuseFormerKeys(keys);
 }
 
-Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& systems) {
+Scenario ReadScenario(const YamlNode& written, const std::vector<KnownSystem>& systems) {
+  const YamlNode root = WithoutShortForms(written, systems);
   Scenario scenario;
   SayWhereToGoOn(
       [&] { ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); }); });
