@@ -7,23 +7,44 @@
 
 namespace dockyard {
 
-ImageLink::ImageLink(const CameraFaults& faults, const Seed& run_seed)
+std::vector<int> CameraClock::Due(const std::vector<int>& asked, Tick now) {
+  if (times_.empty()) return asked;
+  for (const int camera : asked) asked_[static_cast<std::size_t>(camera)] = true;
+  std::vector<int> due;
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    if (!asked_[i] || now < next_[i]) continue;
+    due.push_back(static_cast<int>(i));
+    asked_[i] = false;
+    next_[i] = now + times_[i].period;
+  }
+  return due;
+}
+
+ImageLink::ImageLink(const CameraFaults& faults, const Seed& run_seed,
+                     std::vector<CameraTimes> times)
     : delay_(std::llround(faults.delay_s / kTickSeconds)),
       lost_(faults.lost),
-      random_(StreamKey(run_seed, "lost images")) {}
+      random_(StreamKey(run_seed, "lost images")),
+      times_(std::move(times)) {}
 
 bool ImageLink::Send(std::vector<CameraImage> images, Tick now) {
-  on_the_way_.reset();
+  if (times_.empty()) on_the_way_.clear();
   if (random_.Uniform() < lost_) return false;
-  for (CameraImage& image : images) image.exposed = now;
-  on_the_way_ = OnTheWay{std::move(images), now + delay_};
+  for (CameraImage& image : images) {
+    image.exposed = now;
+    const Tick latency =
+        times_.empty() ? 0 : times_[static_cast<std::size_t>(image.camera)].latency;
+    on_the_way_.push_back({std::move(image), now + delay_ + latency});
+  }
   return true;
 }
 
 std::vector<CameraImage> ImageLink::Receive(Tick now) {
-  if (!on_the_way_ || now < on_the_way_->due) return {};
-  std::vector<CameraImage> images = std::move(on_the_way_->images);
-  on_the_way_.reset();
+  std::vector<CameraImage> images;
+  for (OnTheWay& each : on_the_way_) {
+    if (now >= each.due) images.push_back(std::move(each.image));
+  }
+  std::erase_if(on_the_way_, [&](const OnTheWay& each) { return now >= each.due; });
   return images;
 }
 

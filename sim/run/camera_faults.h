@@ -1,7 +1,7 @@
-// A scenario's faults of cameras: on the way of their pictures, and in them.
+// A scenario's faults of cameras: in the transport of their images, and in the images.
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "controller/io/sensors.h"
@@ -11,11 +11,31 @@
 
 namespace dockyard {
 
-/// The way of the pictures from the cameras to the controller. It holds one answer at a time:
-/// cameras that are asked again begin anew, and what was on its way is dropped.
+/// How often a camera can give an image, and how long one takes to arrive.
+struct CameraTimes {
+  Tick period = 0, latency = 0;
+};
+
+/// Which cameras expose when. A camera that is asked within its period exposes at the period's end.
+class CameraClock {
+ public:
+  explicit CameraClock(std::vector<CameraTimes> times)
+      : times_(std::move(times)), next_(times_.size(), 0), asked_(times_.size(), false) {}
+
+  /// Those that expose now, of those asked for now or before. Ticks must rise.
+  std::vector<int> Due(const std::vector<int>& asked, Tick now);
+
+ private:
+  std::vector<CameraTimes> times_;
+  std::vector<Tick> next_;   // the earliest next exposure
+  std::vector<bool> asked_;  // and not yet answered
+};
+
+/// Carries the images from the cameras to the controller. Without times it holds one answer at a
+/// time: cameras that are asked again begin anew, and images under transport are dropped.
 class ImageLink {
  public:
-  ImageLink(const CameraFaults& faults, const Seed& run_seed);
+  ImageLink(const CameraFaults& faults, const Seed& run_seed, std::vector<CameraTimes> times = {});
 
   /// Pictures exposed now, as they are told from here on. False: they are lost. One draw for each
   /// call.
@@ -25,13 +45,14 @@ class ImageLink {
 
  private:
   struct OnTheWay {
-    std::vector<CameraImage> images;
+    CameraImage image;
     Tick due = 0;
   };
   Tick delay_ = 0;
   double lost_ = 0.0;
   RandomStream random_;
-  std::optional<OnTheWay> on_the_way_;
+  std::vector<CameraTimes> times_;
+  std::vector<OnTheWay> on_the_way_;
 };
 
 /// The sensor of a run's stereo pair with what spoils its pictures. Dust lies at places drawn from

@@ -72,7 +72,8 @@ class Run {
         what_(what),
         options_(options),
         ready_(system.make_ready(what.scenario)),
-        link_(what.scenario.camera_faults, what.scenario.seed),
+        clock_(ready_.camera_times),
+        link_(what.scenario.camera_faults, what.scenario.seed, ready_.camera_times),
         sensors_(ready_.sensors, what.scenario.seed),
         sensed_(ready_.sensors.size(), std::nan("")) {
     RequireAllowed(what.scenario, options);
@@ -144,9 +145,9 @@ class Run {
       RequireTime();
       SensorFrame sensed = plant().Sense();
       sensed_ = sensed.values = sensors_.Pass(sensed.values, sensed.tick);
-      if (!commands.take_images.empty() &&
-          !link_.Send(plant().TakeImages(commands.take_images, commands.exposure_stops),
-                      sensed.tick)) {
+      const std::vector<int> exposing = clock_.Due(commands.take_images, sensed.tick);
+      if (!exposing.empty() &&
+          !link_.Send(plant().TakeImages(exposing, commands.exposure_stops), sensed.tick)) {
         ready_.judge->ObserveLostImages();
       }
       sensed.images = link_.Receive(sensed.tick);
@@ -279,6 +280,7 @@ class Run {
   const CampaignRun& what_;
   const RunOptions& options_;
   ReadyRun ready_;
+  CameraClock clock_;
   ImageLink link_;
   SensorLink sensors_;
   std::vector<double> sensed_;  // last

@@ -32,7 +32,7 @@ class Plant {
   virtual RobotPose X_DR() const = 0;
   /// Truth, for the history: appends the system's channels, in their order.
   virtual void AppendChannels(std::vector<double>& values) const = 0;
-  /// Truth, for the log and for pictures from outside: where all that is seen is now.
+  /// Truth, for the log and for images from outside: where everything is now.
   virtual Stage Look() const { return {}; }
   /// The robot's pose by an accepted sighting of its target.
   virtual RobotPose MeasuredPose(const SightingReport& report) const = 0;

@@ -16,6 +16,7 @@
 #include "sim/base/json.h"
 #include "sim/log/column.h"
 #include "sim/log/record.h"
+#include "sim/run/camera_faults.h"
 #include "sim/run/judge.h"
 #include "sim/run/plant.h"
 #include "sim/run/stage_shapes.h"
@@ -33,7 +34,8 @@ struct ReadyRun {
   Tick control_period = 20;
   std::string success_word;  // the outcome that the task asks for; empty: the first success
   int motor_count = 0, camera_count = 0, switch_count = 0;
-  std::vector<NamedSensor> sensors{};  // in the order of SensorFrame::values
+  std::vector<NamedSensor> sensors{};       // in the order of SensorFrame::values
+  std::vector<CameraTimes> camera_times{};  // by camera; empty: they answer each ask at once
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};
