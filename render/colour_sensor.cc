@@ -15,7 +15,7 @@ namespace dockyard {
 namespace {
 
 // Of 8 bits, the curve's steepest part takes 13 levels a step of 1/255: finer linear steps than
-// these would not be seen.
+// these would not show.
 constexpr int kCurveSteps = 8192;
 // A sum of Poisson and normal numbers that is less skew than this is drawn as normal.
 constexpr float kLeastSkew = 0.14f;

@@ -1,4 +1,4 @@
-// A camera that looks out through a round hole before it, and what the hole leaves of its view.
+// A camera behind a round hole, and what the hole leaves of its view.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@ namespace {
 constexpr ImagePatience kPatience{.wait = 3000, .most_asks = 5};
 // Share of a miss that the next arc is aimed off by, and the most. Assumed, 0.5-1 and 2-4 cm.
 constexpr double kAimGain = 0.8, kMostAim_m = 0.03;
-// Of a long first arc so much is driven before the next look. Assumed, 0.15-0.3 m.
+// Of a long first arc so much is driven before the next image. Assumed, 0.15-0.3 m.
 constexpr double kFirstPart_m = 0.2;
 // What counts about a stone for the exposure, to either side. Assumed, 8-20 px.
 constexpr int kStoneLevel_px = 12;
@@ -22,7 +22,7 @@ constexpr double kStepBack_m = 0.1;
 // An arc that will miss by more than this, or this share of what is left of it, is left for a new
 // one. Assumed, 1-2 cm and 0.05-0.2.
 constexpr double kOffAtEnd_m = 0.015, kOffShare = 0.1;
-// So much of an arc is left for short parts with looks between them: the rover that stands sees
+// So much of an arc is left for short parts with images between them: the rover that stands sees
 // best, and a part misses by less than the whole. Assumed, 10-20 cm.
 constexpr double kLast_m = 0.15;
 // Looks under way in a row without the target, after which the rover stands to look. Assumed, 1-3.

@@ -224,8 +224,8 @@ RoverModel LoadRover(const std::string& file, int image_width, int image_height,
   const auto names_urdf = [](const YamlNode* keys) { return keys && keys->Find("urdf"); };
   YamlNode tree = LoadModelYaml(file);
   YamlNode drawn_by = tree;
-  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
-  if (names_urdf(changes.told)) drawn_by = tree;
+  if (changes.nominal != nullptr) MergeYaml(tree, *changes.nominal);
+  if (names_urdf(changes.nominal)) drawn_by = tree;
   const RoverModel told = ReadRover(tree, drawn_by, image_width, image_height, meshes);
   WriteLeftOut(told, tree);
   CheckSpreads(WithSideMotors(tree));

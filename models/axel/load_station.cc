@@ -243,7 +243,7 @@ void VisitStationKeys(Keys& keys) {
 StationModel LoadStation(const std::string& file, const ModelChanges& changes, MeshStore* meshes,
                          const RoverModel* docked_by) {
   YamlNode tree = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(tree, *changes.nominal);
   FitMouth(docked_by, meshes, tree);
   const StationModel told = ReadStation(tree, meshes);
   WriteLeftOut(told, tree);

@@ -52,7 +52,7 @@ GroundModel ReadGround(const YamlNode& root) {
 
 GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(root, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(root, *changes.nominal);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
   return AdvisingOtherKinds("ground", [&] { return ReadGround(root); });
 }

@@ -97,7 +97,7 @@ void VisitPyramidKeys(Keys& keys) {
 static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges& changes,
                                     MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(tree, *changes.nominal);
   PutIfLeftOut(tree, "mass_scale", 1.0);
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
   PyramidModel pyramid;

@@ -198,7 +198,7 @@ void VisitRobotKeys(Keys& keys) {
 static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes,
                                 MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(tree, *changes.nominal);
   PutIfLeftOut(tree, "mass_scale", 1.0);
   PutMountingIfLeftOut(tree, "camera.mounting");
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);

@@ -10,7 +10,7 @@ namespace dockyard {
 
 /// Keys on top of a model's file.
 struct ModelChanges {
-  const YamlNode* told = nullptr;   // what the robot is: built so, and the controller is told
+  const YamlNode* nominal = nullptr;   // what the robot is: built so, and the controller is told
   const YamlNode* built = nullptr;  // on top of that, what is built otherwise than told
 };
 

@@ -11,7 +11,7 @@ namespace dockyard {
 /// Throws ConfigError.
 inline YamlNode LoadChangedYaml(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(root, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(root, *changes.nominal);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
   return root;
 }

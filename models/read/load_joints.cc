@@ -19,7 +19,7 @@ void VisitJoint(Keys& keys, JointFile& joint) {
   const auto unset = [](const char* name, const char* unit, const char* says) {
     return Key(name, unit, says, Presence::kUnset);
   };
-  keys.Text("name", joint.name);
+  keys.Text({"name", "", "of the URDF's joint", Presence::kRequired}, joint.name);
   keys.Degrees(unset("start_deg", "deg", "angle at the start"), joint.start_rad,
                Between(-3600.0, 3600.0));
   keys.Number(unset("start_m", "m", "travel of a slide at the start"), joint.start_m,
@@ -49,11 +49,14 @@ void VisitJoint(Keys& keys, JointFile& joint) {
 }
 
 void VisitPin(Keys& keys, PinFile& file) {
-  keys.Text("link", file.link);
-  keys.Text("to", file.to);
-  keys.Vector3("at_m", file.pin.p_A, Between(-100.0, 100.0));
-  keys.Number(Optional("stiffness_n_per_m"), file.pin.stiffness_n_per_m, Positive(1e10));
-  keys.Number(Optional("damping_ns_per_m"), file.pin.damping_ns_per_m, NonNegative(1e8));
+  keys.Text({"link", "", "one of the two", Presence::kRequired}, file.link);
+  keys.Text({"to", "", "the other", Presence::kRequired}, file.to);
+  keys.Vector3({"at_m", "m", "in the frame of the first", Presence::kRequired}, file.pin.p_A,
+               Between(-100.0, 100.0));
+  keys.Number({"stiffness_n_per_m", "N/m", "of the pin in its bore"}, file.pin.stiffness_n_per_m,
+              Positive(1e10));
+  keys.Number({"damping_ns_per_m", "N s/m", "of the same"}, file.pin.damping_ns_per_m,
+              NonNegative(1e8));
 }
 
 bool Has(const std::vector<std::string>& list, const std::string& name) {
@@ -284,8 +287,10 @@ void CheckStarts(const UrdfModel& welded, const OwnLinks& own, const JointedLink
 }  // namespace
 
 void VisitJoints(Keys& keys, JointsFile& file) {
-  keys.Items(Unset("joints"), file.joints, 0, kMostJoints, VisitJoint);
-  keys.Items(Unset("pins"), file.pins, 0, kMostJoints, VisitPin);
+  keys.Items({"joints", "", "what the URDF has no word for of joints", Presence::kUnset},
+             file.joints, 0, kMostJoints, VisitJoint);
+  keys.Items({"pins", "", "ball joints that close loops", Presence::kUnset}, file.pins, 0,
+             kMostJoints, VisitPin);
   keys.Mapping(Optional("link_contact"),
                [&](Keys& in) { VisitContact(in, file.contact, Presence::kDefault); });
 }

@@ -3,8 +3,8 @@
 namespace dockyard {
 
 void VisitTyre(Keys& keys, TyreModel& tyre) {
-  keys.Number({"radius_m", "m", "from the axle to the tread", Presence::kRequired}, tyre.radius_m,
-              Positive(2.0));
+  keys.Number({"radius_m", "m", "from the axle to the tread; 0: as the link's collision has it"},
+              tyre.radius_m, NonNegative(2.0));
   keys.Number({"width_m", "m", "of the tread on the floor; 0: one point"}, tyre.width_m,
               NonNegative(2.0));
   keys.Bool({"ball", "", "whether it is a sphere"}, tyre.ball);

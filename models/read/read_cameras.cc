@@ -80,7 +80,7 @@ std::vector<std::string> KeysOf(const std::string& model) {
 }
 
 /// Where the file places a camera; none: it does not say.
-std::optional<Pose3> ReadPlace(const YamlReader& in) {
+std::optional<Pose3> ReadCameraPlace(const YamlReader& in) {
   if (in.Has("position_m")) return ReadCameraPose(in);
   for (const std::string& key : PoseKeys()) {
     if (in.Has(key)) in.Refuse(key, "a position_m next to it");
@@ -115,7 +115,7 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   PlacedCamera placed;
   if (IsFocalModel(model)) {
     placed.camera = {.width = width, .height = height, .lens = ReadFocalLens(in, model)};
-    placed.X_FC = ReadPlace(in).value_or(Pose3{});
+    placed.X_FC = ReadCameraPlace(in).value_or(Pose3{});
   } else {
     const auto kind = std::find(kCahvWords.begin(), kCahvWords.end(), model) - kCahvWords.begin();
     Cahvore lens = ReadCahv(in, static_cast<CahvKind>(kind));
@@ -186,7 +186,7 @@ PlacedCamera ReadSide(const YamlReader& rig, const std::string& side) {
     in.Refuse("file", "a file of cameras that is no rig itself");
   }
   PlacedCamera placed = LoadCamera(file, in.TextOr("name", ""));
-  if (const std::optional<Pose3> X_FC = ReadPlace(in)) {
+  if (const std::optional<Pose3> X_FC = ReadCameraPlace(in)) {
     placed.X_FC = *X_FC;
     placed.X_PC = std::nullopt;
   }

@@ -68,6 +68,10 @@ std::string CarrierOf(const UrdfModel& model, const std::string& link) {
   return Carry(FindFixedJoints(model), link).by;
 }
 
+Pose3 FrameInCarrier(const UrdfModel& model, const std::string& link) {
+  return Carry(FindFixedJoints(model), link).X_CF;
+}
+
 UrdfModel WeldFixedLinks(const UrdfModel& model) {
   const FixedJoints fixed = FindFixedJoints(model);
   UrdfModel welded = model;

@@ -11,6 +11,8 @@ namespace dockyard {
 /// The link that carries `link` over fixed joints alone: itself when it is the root or hangs on a
 /// moving joint. The model must be a tree, as LoadUrdf gives it.
 std::string CarrierOf(const UrdfModel& model, const std::string& link);
+/// The link's own frame F in its carrier's frame C.
+Pose3 FrameInCarrier(const UrdfModel& model, const std::string& link);
 
 /// The same robot without fixed joints. Every link on one, or on a chain of them, is welded into
 /// its carrier: masses added, one centre of mass, inertia about it (parallel axes), visuals and

@@ -62,7 +62,7 @@ void VisitRobotKeys(Keys& keys) {
 
 static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes) {
   YamlNode tree = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  if (changes.nominal != nullptr) MergeYaml(tree, *changes.nominal);
   for (const char* key : {"back_cameras", "mast_cameras"}) CompletePair(tree, key);
   for (const char* key : {"cameras", "back_cameras", "mast_cameras"}) {
     PutMountingIfLeftOut(tree, std::string(key) + ".mounting");

@@ -78,9 +78,9 @@ std::string Check(const Scenario& scenario, const AxelModels& models) {
     BuildRocks(scenario, models, MakeGround(scenario.yard, scenario.seed));
   }
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
-  return models.told.rover.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
-         models.told.station.name + " on " + models.told.soil.name +
-         Misfit(models.told.rover, models.told.station);
+  return models.nominal.rover.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
+         models.nominal.station.name + " on " + models.nominal.soil.name +
+         Misfit(models.nominal.rover, models.nominal.station);
 }
 
 bool IsRobotFile(const YamlNode& root) {

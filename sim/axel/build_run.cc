@@ -159,7 +159,7 @@ void StartSeated(const AxelModels& models, BuiltRun* run) {
   world.arm_start_rad = SeatedArm(world.rover, world.station);
   world.pitch_start_rad = 0.0;
   world.slack_start_m = 0.0;
-  run->nominal.arm_at_zero_rad = SeatedArm(models.told.rover, models.told.station);
+  run->nominal.arm_at_zero_rad = SeatedArm(models.nominal.rover, models.nominal.station);
 }
 
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
@@ -176,7 +176,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   run.yard_place = scenario.yard_place;
 
   // What the controller is told; the lines that follow disturb the world only.
-  const ModelSet& told = models.told;
+  const ModelSet& told = models.nominal;
   // The arm's encoder is absolute (assumed): the angle at power-on is known.
   run.nominal = MakeNominal(told.rover, told.station, LyingAt(told.rover, models.keys.start).arm);
   run.nominal.vision = models.keys.vision;

@@ -101,7 +101,7 @@ std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models) {
       scenario.controller != "dockyard") {
     return "beside controller " + scenario.controller + ", which takes no bracket";
   }
-  for (const ModelSet* set : {&models.told, &models.built}) {
+  for (const ModelSet* set : {&models.nominal, &models.built}) {
     if (set->rover.stereo.sensor.exposure.rule == ExposureRule::kBracketed) {
       return "beside the robot's cameras.sensor.exposure.rule bracketed, as cameras that change "
              "their exposure by themselves cannot be merged";
@@ -125,15 +125,15 @@ AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   CheckRoots(scenario, {"robot", "station", "soil"});
   CheckAsBuilt(scenario);
   const YamlNode changes = ChangesOf(scenario, models.keys);
-  models.told = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
-  models.built = LoadSet(scenario, models.keys, changes, scenario.as_built, &models.told, meshes);
-  const std::size_t marks = models.told.station.board.fiducials.size();
+  models.nominal = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
+  models.built = LoadSet(scenario, models.keys, changes, scenario.as_built, &models.nominal, meshes);
+  const std::size_t marks = models.nominal.station.board.fiducials.size();
   if (models.built.station.board.fiducials.size() != marks) {
     RefuseKey(scenario.as_built, "as_built", "station.board",
               "as many fiducials as are told, " + std::to_string(marks));
   }
   if (models.keys.vision.pipeline == VisionPipeline::kTsai2013 &&
-      !HasTwoOfEachRotation(models.told.station.board)) {
+      !HasTwoOfEachRotation(models.nominal.station.board)) {
     throw ConfigError(models.keys.station_file +
                       ": board: expected two bars of each rotation, as axel.vision.pipeline "
                       "tsai2013 needs them, found others");

@@ -2,32 +2,6 @@
 
 #include "sim/plant/nominal_parts.h"
 
-namespace dockyard {
-
-template <Of<Fiducial> F, class Visit>
-void VisitMembers(F& fiducial, const Visit& visit) {
-  visit("p_m", fiducial.p_BF);
-  visit("rotation_rad", fiducial.rotation);
-}
-
-template <Of<FiducialBoard> B, class Visit>
-void VisitMembers(B& board, const Visit& visit) {
-  visit("width_m", board.width_m);
-  visit("height_m", board.height_m);
-  visit("disc_diameter_m", board.disc_diameter_m);
-  visit("bar_length_m", board.bar_length_m);
-  visit("bar_width_m", board.bar_width_m);
-  visit("fiducials", board.fiducials);
-  auto& upright = board.upright;
-  if (!visit.Has("upright_in", upright.against != Upright::Against::kPlumb)) return;
-  int index = static_cast<int>(upright.against) - 1;
-  visit.Word("upright_in", "upright_in", index, std::array{"gravity", "image"});
-  if constexpr (!std::is_const_v<B>) upright.against = static_cast<Upright::Against>(index + 1);
-  visit("upright_within_rad", upright.within_rad);
-}
-
-}  // namespace dockyard
-
 namespace dockyard::axel {
 
 template <Of<MappedRock> R, class Visit>

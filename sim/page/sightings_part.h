@@ -9,7 +9,7 @@ namespace dockyard {
 /// x, y [m] and heading [rad]
 Json PlanarJson(const Pose2& X);
 
-/// `sightings` of a replay: when the controller looked, what it found, and the images themselves
+/// `sightings` of a replay: when the controller took them, what it found, and the images themselves
 /// where `pictures` asks for them.
 Json SightingsPart(const LoggedRun& run, bool pictures, Payload& payload);
 

@@ -9,7 +9,7 @@ namespace dockyard {
 namespace {
 
 /// Direction to the sun in the level dock frame: the dock's, turned upright. Azimuth counts from
-/// its x axis, the way that the target faces, counter-clockwise from above.
+/// its x axis, where the target faces, counter-clockwise from above.
 Eigen::Vector3d ToSun(double azimuth_rad, double elevation_rad) {
   return {std::cos(elevation_rad) * std::cos(azimuth_rad),
           std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad)};

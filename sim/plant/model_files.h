@@ -33,9 +33,9 @@ void LoadSets(const Scenario& scenario, const LoadSet& load, Models& models) {
       return ModelChanges{scenario.changes.Find(root), built.Find(root)};
     });
   };
-  models.told = set({});
+  models.nominal = set({});
   models.built =
-      scenario.as_built.kind == YamlNode::Kind::kNull ? models.told : set(scenario.as_built);
+      scenario.as_built.kind == YamlNode::Kind::kNull ? models.nominal : set(scenario.as_built);
 }
 
 }  // namespace dockyard

@@ -81,7 +81,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   BuiltRun run;
   run.keys = models.keys;
   run.ground = models.built.ground;
-  run.nominal = MakeNominal(models.told.robot, models.told.pyramid);
+  run.nominal = MakeNominal(models.nominal.robot, models.nominal.pyramid);
   PutBands(models.keys, run.nominal.ferreira_vision);
   PutMotion(models.keys, run.nominal.ferreira_motion);
   WorldSetup& world = run.world;

@@ -18,7 +18,7 @@ struct ModelSet {
 
 struct RaposaModels {
   RaposaKeys keys;
-  ModelSet told;   // what the controller is told of
+  ModelSet nominal;   // what the controller is told of
   ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
 };
 

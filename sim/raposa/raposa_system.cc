@@ -36,8 +36,8 @@ ReadyRun PartsOf(const Nominal& nominal) {
 
 std::string Check(const Scenario& scenario, const RaposaModels& models) {
   BuildRun(scenario, models);
-  return models.told.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
-         models.told.pyramid.name + " on " + models.told.ground.name;
+  return models.nominal.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
+         models.nominal.pyramid.name + " on " + models.nominal.ground.name;
 }
 
 std::optional<FileCheck> CheckModelFile(const std::string& file) {

@@ -134,7 +134,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
   AddScenery(scenario, world.ground, SiteInWorld(world.X_WG, world.slope), Pose2{}, run.lighting);
-  run.nominal = MakeNominal(models.told.robot);
+  run.nominal = MakeNominal(models.nominal.robot);
   if (models.keys.task == Task::kGrasp) {
     // Not the point where the arm reaches the ground, but the one where its scoops close.
     run.nominal.plan.p_RP = GraspPoint(run.nominal.arm, run.nominal.rolling_radius_m);

@@ -15,7 +15,7 @@ struct ModelSet {
 
 struct Rocky7Models {
   Rocky7Keys keys;
-  ModelSet told;   // what the controller is told of
+  ModelSet nominal;   // what the controller is told of
   ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
 };
 

@@ -55,8 +55,8 @@ std::string Check(const Scenario& scenario, const Rocky7Models& models) {
   BuildRun(scenario, models);
   const double width_m =
       models.keys.task == Task::kPlace ? models.keys.boulder_m : models.keys.diameter_m;
-  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.on_plane().r) +
-         " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
+  return models.nominal.robot.rover.plan.name + " from " + NumberText(scenario.start.on_plane().r) +
+         " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.nominal.soil.name;
 }
 
 bool IsRobotFile(const std::string& file) {

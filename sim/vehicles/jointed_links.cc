@@ -97,20 +97,23 @@ void LimitJoints(const JointedLinks& further, const TreePlaces& places, int body
   }
 }
 
+double ShaftInertia(const JointedLink& joint, double travel_per_rad, const TreeBody& tree,
+                    int link) {
+  const TreeBody::Inertia inverse = tree.MassMatrix().inverse();
+  const double at_start = 1.0 / inverse(tree.SpeedOf(link), tree.SpeedOf(link));
+  const double alone = OwnInertia(joint) + tree.link(link).rotor_kg_m2;
+  return travel_per_rad * travel_per_rad * std::min(at_start, alone);
+}
+
 JointDrives::JointDrives(const JointedLinks& further, const TreePlaces& places,
                          const TreeBody& tree) {
   const std::size_t own = places.size() - further.links.size();
-  const TreeBody::Inertia inverse = tree.MassMatrix().inverse();
   for (std::size_t i = 0; i < further.links.size(); ++i) {
     const JointedLink& each = further.links[i];
     if (!each.motor) continue;
     const double travel = TravelPerRad(each);
     const int link = places[own + i];
-    // Of the shaft with all other joints free, its rotor included. The load may come
-    // nearer to its axis, where a servo for the start would be too stiff: at most its own link.
-    const double at_start = 1.0 / inverse(tree.SpeedOf(link), tree.SpeedOf(link));
-    const double alone = OwnInertia(each) + tree.link(link).rotor_kg_m2;
-    const double inertia = travel * travel * std::min(at_start, alone);
+    const double inertia = ShaftInertia(each, travel, tree, link);
     Drive& drive = drives_.emplace_back(Drive{.link = link,
                                               .travel_per_rad = travel,
                                               .rate_rad_s = each.motor->rate_rad_s / travel,

@@ -29,6 +29,12 @@ void SetStartAngles(const JointedLinks& further, const TreePlaces& places, TreeB
 void LimitJoints(const JointedLinks& further, const TreePlaces& places, int body,
                  RigidWorld& world);
 
+/// Of a motor's shaft at the output, with the joint's load, for MotorDrive: with all other joints
+/// free as at the tree's present pose, or the joint's own link alone where that is less, as a load
+/// may come nearer to its axis. travel_per_rad: of the joint.
+double ShaftInertia(const JointedLink& joint, double travel_per_rad, const TreeBody& tree,
+                    int link);
+
 /// The motors of such joints. Each runs to and fro between its joint's limits or holds by its
 /// brake.
 class JointDrives {

@@ -48,7 +48,7 @@ Count ExpectEndsLoad(const std::string& file, const Load& load) {
       ++count.assumed;
       for (const std::string& value : Values(*spread.assumed)) {
         const YamlNode told = Keys(spread.key.name + value);
-        EXPECT_NO_THROW(load({.told = &told})) << file << ": " << spread.key.name << value;
+        EXPECT_NO_THROW(load({.nominal = &told})) << file << ": " << spread.key.name << value;
       }
     }
     if (spread.tolerance) {

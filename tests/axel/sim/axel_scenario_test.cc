@@ -30,10 +30,10 @@ std::string SetMessage(const std::string& set) {
 
 TEST(TypicalScenario, NamesModelsThatLoadAndFitEachOther) {
   const AxelModels models = LoadModels(Typical());
-  EXPECT_EQ(models.told.rover.name, "axel");
-  EXPECT_EQ(models.told.station.tip_angle_rad, Radians(5.0));
-  EXPECT_EQ(models.told.soil.name, "compact_gravel");
-  EXPECT_EQ(models.told.rover.stereo.nominal.left.width, 1024);
+  EXPECT_EQ(models.nominal.rover.name, "axel");
+  EXPECT_EQ(models.nominal.station.tip_angle_rad, Radians(5.0));
+  EXPECT_EQ(models.nominal.soil.name, "compact_gravel");
+  EXPECT_EQ(models.nominal.rover.stereo.nominal.left.width, 1024);
 }
 
 TEST(AxelKeys, PageHasTheTableThatTheVisitorDocuments) {
@@ -99,9 +99,9 @@ TEST(AxelKeys, WhatOnlyDockyardUsesIsRefusedBesideAnotherBuiltInController) {
 TEST(AxelKeys, TipAngleAndImageSizeReachTheModels) {
   const AxelModels models =
       LoadModels(Typical({"axel.tip_angle_deg=0", "camera.width_px=640", "camera.height_px=480"}));
-  EXPECT_EQ(models.told.station.tip_angle_rad, 0.0);
-  EXPECT_EQ(models.told.rover.stereo.nominal.right.width, 640);
-  EXPECT_NEAR(models.told.rover.stereo.nominal.right.focal_px().x(), 640 / (kPi / 2), 1e-9);
+  EXPECT_EQ(models.nominal.station.tip_angle_rad, 0.0);
+  EXPECT_EQ(models.nominal.rover.stereo.nominal.right.width, 640);
+  EXPECT_NEAR(models.nominal.rover.stereo.nominal.right.focal_px().x(), 640 / (kPi / 2), 1e-9);
 }
 
 TEST(AxelKeys, DustIsAShareUpToItsLimit) {
@@ -142,13 +142,13 @@ TEST(Changes, ReachTheModelsOfAScenario) {
       LoadModels(Typical({"changes.station.feet.friction=0.3", "changes.station.mass_kg=70",
                           "changes.station.mouth_height_m=0.4", "changes.robot.mass_scale=1.5",
                           "changes.robot.body_com_x_m=-0.02", "changes.soil.cohesion_pa=123"}));
-  EXPECT_EQ(models.told.station.foot_friction, 0.3);
-  EXPECT_EQ(models.told.station.module.mass_kg, 70.0);
-  EXPECT_NEAR(models.told.station.module.I_LCom_L(1, 1), 2.0 * 3.23203125, 1e-9);
-  EXPECT_EQ(models.told.station.mouth_height_m, 0.4);
-  EXPECT_NEAR(models.told.rover.mass_kg(), 60.0, 1e-9);
-  EXPECT_EQ(models.told.rover.body.p_LoCom_L.x(), -0.02);
-  EXPECT_EQ(models.told.soil.cohesion_pa, 123.0);
+  EXPECT_EQ(models.nominal.station.foot_friction, 0.3);
+  EXPECT_EQ(models.nominal.station.module.mass_kg, 70.0);
+  EXPECT_NEAR(models.nominal.station.module.I_LCom_L(1, 1), 2.0 * 3.23203125, 1e-9);
+  EXPECT_EQ(models.nominal.station.mouth_height_m, 0.4);
+  EXPECT_NEAR(models.nominal.rover.mass_kg(), 60.0, 1e-9);
+  EXPECT_EQ(models.nominal.rover.body.p_LoCom_L.x(), -0.02);
+  EXPECT_EQ(models.nominal.soil.cohesion_pa, 123.0);
 }
 
 TEST(Changes, AreWrittenOutAndReadBack) {
@@ -158,8 +158,8 @@ TEST(Changes, AreWrittenOutAndReadBack) {
   const ScratchFolder folder;
   const Scenario back = LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {}, Known());
   EXPECT_EQ(FlowText(back.changes), FlowText(s.changes));
-  EXPECT_EQ(LoadModels(back).told.rover.name, "a \"b\" \\ c");
-  EXPECT_EQ(LoadModels(back).told.soil.rgb.y(), 0.2);
+  EXPECT_EQ(LoadModels(back).nominal.rover.name, "a \"b\" \\ c");
+  EXPECT_EQ(LoadModels(back).nominal.soil.rgb.y(), 0.2);
 }
 
 TEST(Changes, UnknownKeysAndValuesAreRefusedWithTheirPlace) {

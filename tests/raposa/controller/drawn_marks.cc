@@ -164,7 +164,7 @@ Nominal TestNominal(double lever_m) {
   const NominalMotor slow{1e-4, 1.0, 0.1, 2.0, 1.0, 5.0};
   nominal.motors = {belt, belt, slow, slow, slow};
   nominal.camera = {320, 240, BrownPinhole{.fx = 377, .fy = 377, .cx = 159.5, .cy = 119.5}};
-  Eigen::Matrix3d R_RC;  // looks along -x of R; x right of the view is R's left
+  Eigen::Matrix3d R_RC;  // faces along -x of R; x right of the view is R's left
   R_RC << 0, 0, -1, 1, 0, 0, 0, -1, 0;
   nominal.X_RC = {R_RC, {-lever_m, 0.0, 0.0}};
   nominal.half_view_rad = Radians(12.5);

@@ -197,7 +197,7 @@ TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {
         RaposaModels built;
         ASSERT_NO_THROW(built = LoadModels(scenario)) << nested;
         EXPECT_NO_THROW(BuildRun(scenario, built)) << nested;
-        EXPECT_EQ(built.told.robot.camera.X_RC.p, as_told.told.robot.camera.X_RC.p);
+        EXPECT_EQ(built.nominal.robot.camera.X_RC.p, as_told.nominal.robot.camera.X_RC.p);
       }
     }
   }
@@ -219,7 +219,7 @@ TEST(RaposaSpreads, ACameraTurnedInItsMountSeesTheGuideAside) {
   Scenario scenario = ScenarioAt(1.0, 0.0);
   scenario.as_built = ParseYaml("{robot: {camera: {mounting: {yaw_deg: 1, z_m: 0.002}}}}", "test");
   const RaposaModels models = LoadModels(scenario);
-  const Pose3 &told = models.told.robot.camera.X_RC, &built = models.built.robot.camera.X_RC;
+  const Pose3 &told = models.nominal.robot.camera.X_RC, &built = models.built.robot.camera.X_RC;
   EXPECT_NEAR(std::acos(told.R.col(2).dot(built.R.col(2))), Radians(1.0), 1e-9);
   EXPECT_NEAR(built.p.z() - told.p.z(), 0.002, 1e-12);
   const BuiltRun run = BuildRun(scenario, models);
