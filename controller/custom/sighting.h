@@ -40,7 +40,7 @@ using Perceive = std::function<std::vector<BoardSighting>(const CameraImage& ima
 /// Boards of discs, with bars or plain (controller/vision/board).
 Result<Perceive, Refusal> PerceiveDiscs(const Nominal& nominal);
 
-/// Boards of square tags. Refuses always: no detector of tags is connected yet.
+/// Boards of square tags, each of one family.
 Result<Perceive, Refusal> PerceiveTags(const Nominal& nominal);
 
 /// The image in grey: luminance of ITU-R BT.601 from colours.

@@ -11,6 +11,7 @@ protocol is in docs/reference/controller_protocol.md.
 """
 
 import json
+import math
 import os
 import struct
 import sys
@@ -26,6 +27,76 @@ class Motor:
     def __init__(self, mode=BRAKE, target=0.0, speed_limit=0.0, accel=0.0, current_limit=0.0):
         self.mode, self.target, self.speed_limit = mode, target, speed_limit
         self.accel, self.current_limit = accel, current_limit
+
+
+class Wheels:
+    """Twists and odometry for the wheels of hello["nominal"] of a robot by files: driven wheels
+    anywhere on the body, fixed or steered. Casters and balls follow. Only driven wheels count."""
+
+    def __init__(self, nominal, accel_m_s2=1.0):
+        self.drives, self.accel = nominal["motors"], accel_m_s2
+        self.wheels = [w for w in nominal["wheels"] if w["drive"] >= 0]
+        self.x = self.y = self.heading = 0.0  # since power-on
+        self.counts = None
+
+    def _forward(self, wheel):
+        """Where the wheel rolls when its motor turns positively: axle x up."""
+        return wheel["axle_R"][1], -wheel["axle_R"][0]
+
+    def motors(self, forward_m_s, turn_rad_s, others=None):
+        """Commands for all motors; those that move no wheel brake, or are as `others` has them by
+        their number."""
+        motors = [(others or {}).get(i, Motor()) for i in range(len(self.drives))]
+        for wheel in self.wheels:
+            fx, fy = self._forward(wheel)
+            at = wheel["p_RS"] if wheel["steering"] >= 0 else wheel["p_RK"]
+            vx, vy = forward_m_s - turn_rad_s * at[1], turn_rad_s * at[0]
+            speed = fx * vx + fy * vy
+            if wheel["steering"] >= 0 and math.hypot(vx, vy) > 1e-6:
+                angle = math.atan2(fx * vy - fy * vx, speed)
+                if abs(angle) > 0.5 * math.pi:  # backwards is nearer
+                    angle -= math.copysign(math.pi, angle)
+                speed = math.copysign(math.hypot(vx, vy), speed)
+                steer = self.drives[wheel["steering"]]["motor"]
+                motors[wheel["steering"]] = Motor(
+                    POSITION, angle, steer["max_speed_rad_s"], steer["max_accel_rad_s2"],
+                    steer["max_current_a"])  # fmt: skip
+            drive = self.drives[wheel["drive"]]["motor"]
+            limit = drive["max_speed_rad_s"]
+            target = max(-limit, min(limit, speed / wheel["radius_m"]))
+            motors[wheel["drive"]] = Motor(
+                VELOCITY, target, 0.0, self.accel / wheel["radius_m"], drive["max_current_a"])  # fmt: skip
+        return motors
+
+    def update(self, frame):
+        """Takes in a frame's encoders: x, y [m] and heading [rad] since power-on, by the twist that
+        fits all driven wheels best (least squares). Call it for every frame."""
+        counts, last = frame.counts, self.counts or frame.counts
+        self.counts = counts
+        angle = [
+            (counts[i] - last[i]) * drive["motor"]["rad_per_count"]
+            for i, drive in enumerate(self.drives)
+        ]
+        a = b = c = p = q = 0.0  # of the normal equations for forward and turn
+        for wheel in self.wheels:
+            fx, fy = self._forward(wheel)
+            at = wheel["p_RS"] if wheel["steering"] >= 0 else wheel["p_RK"]
+            if wheel["steering"] >= 0:
+                i = wheel["steering"]
+                turned = counts[i] * self.drives[i]["motor"]["rad_per_count"]
+                cos, sin = math.cos(turned), math.sin(turned)
+                fx, fy = cos * fx - sin * fy, sin * fx + cos * fy
+            lever = fy * at[0] - fx * at[1]
+            rolled = angle[wheel["drive"]] * wheel["radius_m"]
+            a, b, c = a + fx * fx, b + fx * lever, c + lever * lever
+            p, q = p + fx * rolled, q + lever * rolled
+        det = a * c - b * b
+        ahead, turn = ((c * p - b * q) / det, (a * q - b * p) / det) if det > 1e-12 else (p / a, 0.0)
+        middle = self.heading + 0.5 * turn
+        self.x += ahead * math.cos(middle)
+        self.y += ahead * math.sin(middle)
+        self.heading += turn
+        return self.x, self.y, self.heading
 
 
 class Commands:

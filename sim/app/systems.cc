@@ -2,16 +2,27 @@
 
 #include "controller/axel/axel.h"
 #include "controller/axel/scripted.h"
+#include "controller/custom/graceful.h"
 #include "controller/raposa/dockyard.h"
 #include "controller/raposa/ferreira2009.h"
 #include "controller/rocky7/dockyard.h"
 #include "controller/rocky7/nesnas2000.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/axel/axel_system.h"
+#include "sim/custom/custom_system.h"
 #include "sim/raposa/raposa_system.h"
 #include "sim/rocky7/rocky7_system.h"
 
 namespace dockyard {
+namespace {
+
+std::unique_ptr<Controller> MakeGraceful(const custom::Nominal& nominal) {
+  auto made = custom::MakeGracefulController(nominal);
+  if (!made) custom::RefuseController("graceful", made.error().reason);
+  return std::move(*made);
+}
+
+}  // namespace
 
 std::vector<System> Systems() {
   return {axel::AxelSystem(
@@ -26,7 +37,8 @@ std::vector<System> Systems() {
                                 {"ferreira2009", raposa::MakeFerreira2009Controller}},
                                raposa::RaposaCommands(), raposa::DetectMarks),
           rocky7::Rocky7System({{"dockyard", rocky7::MakeDockyardController},
-                                {"nesnas2000", rocky7::MakeNesnas2000Controller}})};
+                                {"nesnas2000", rocky7::MakeNesnas2000Controller}}),
+          custom::CustomSystem({{"graceful", MakeGraceful}})};
 }
 
 }  // namespace dockyard

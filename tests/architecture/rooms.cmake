@@ -5,7 +5,6 @@
 # The standard library is open to all by its C++ names (<cmath>, not math.h), the operating system to those
 # that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
 include(${CMAKE_CURRENT_LIST_DIR}/systems.cmake)
-list(APPEND systems custom)  # it has no room of models/ or sim/ yet, so systems.cmake does not list it
 
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")

@@ -1,0 +1,115 @@
+#include "sim/custom/custom_system.h"
+
+#include <cmath>
+
+#include "models/custom/load_dock.h"
+#include "models/custom/load_robot.h"
+#include "models/read/config_error.h"
+#include "models/read/load_floor.h"
+#include "models/read/load_model_yaml.h"
+#include "models/read/yaml_reader.h"
+#include "sim/custom/custom_columns.h"
+#include "sim/custom/custom_judge.h"
+#include "sim/custom/custom_keys.h"
+#include "sim/custom/custom_plant.h"
+#include "sim/custom/load_models.h"
+#include "sim/custom/nominal_json.h"
+#include "sim/custom/view_start.h"
+
+namespace dockyard::custom {
+namespace {
+
+ReadyRun MakeReadyRun(const Scenario& scenario, const CustomModels& models,
+                      const std::shared_ptr<KeptRenderer>& renderer) {
+  auto plant = std::make_unique<CustomPlant>(scenario, BuildRun(scenario, models), renderer);
+  const BuiltRun& built = plant->built();
+  ReadyRun ready;
+  ready.control_period = kControlPeriod;
+  ready.nominal = ToJson(built.nominal);
+  ready.motor_count = static_cast<int>(built.nominal.motors.size());
+  ready.camera_count = static_cast<int>(built.nominal.cameras.size());
+  ready.sensors = SensorsOf(models.nominal.robot, built.world.contacts);
+  for (const JointDrive& drive : built.nominal.motors) {
+    ready.motors.push_back({drive.joint, drive.motor.rad_per_count});
+  }
+  for (std::size_t i = 0; i < built.nominal.cameras.size(); ++i) {
+    const CameraFit& fit = models.nominal.robot.cameras[i];
+    const std::string body =
+        fit.link == 0 ? "robot" : "robot/" + models.nominal.robot.tree.link(fit.link).name;
+    ready.cameras.push_back({fit.model.name, fit.model.nominal, fit.model.X_LC, body});
+    ready.camera_times.push_back({std::llround(fit.model.period_s / kTickSeconds),
+                                  std::llround(fit.model.latency_s / kTickSeconds)});
+  }
+  ready.judge = std::make_unique<CustomJudge>(*plant);
+  ready.plant = std::move(plant);
+  return ready;
+}
+
+double Rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
+
+std::string Check(const Scenario& scenario, const CustomModels& models) {
+  BuildRun(scenario, models);
+  const ModelSet& drawn = models.nominal;
+  return drawn.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
+         drawn.dock.name + " on " + drawn.ground.floor.name;
+}
+
+std::optional<FileCheck> CheckModelFile(const std::string& file) {
+  const YamlNode root = LoadModelYaml(file);
+  if (IsRobotFile(root)) {
+    const RobotModel robot = LoadRobot(file);
+    return FileCheck{"robot", robot.name + ": " + NumberText(Rounded(robot.tree.mass_kg(), 1e3)) +
+                                  " kg, " + std::to_string(robot.wheels.size()) + " wheels, " +
+                                  std::to_string(robot.motors.size()) + " motors, " +
+                                  std::to_string(robot.cameras.size()) + " cameras"};
+  }
+  if (IsDockFile(root)) {
+    const DockModel dock = LoadDock(file);
+    return FileCheck{"dock",
+                     dock.name + ": " + NumberText(Rounded(dock.tree.mass_kg(), 1e3)) + " kg, " +
+                         (dock.fixed ? "fixed" : "on the floor") + ", " +
+                         std::to_string(dock.boards.size()) + " boards, " +
+                         std::to_string(dock.electrical.pins.size() + dock.electrical.pads.size()) +
+                         " pins and pads"};
+  }
+  if (root.Find("rolling_resistance_m") != nullptr && root.Find("friction") != nullptr) {
+    return FileCheck{"floor", LoadFloor(file).name};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void RefuseController(const std::string& controller, const std::string& reason) {
+  throw ConfigError("controller " + controller + ": " + reason);
+}
+
+System CustomSystem(const std::vector<NamedController<Nominal>>& controllers) {
+  System system;
+  system.name = "custom";
+  system.controllers = EntriesOf(controllers, NominalFromJson);
+  system.scenario.file_keys = {"dock"};
+  system.scenario.changes_file_keys = {"robot.urdf", "dock.urdf"};
+  system.scenario.model_roots = {{"robot", "robot"}, {"dock", "custom.dock"}, {"soil", "soil"}};
+  system.scenario.root_keys = {"dock", "judge", "graceful"};
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), Measures()};
+  system.keys = VisitOf(VisitCustomKeys);
+  UseModels(std::make_shared<ModelStore<CustomModels>>(LoadModels),
+            {Check, MakeReadyRun, WriteStartView, ShapesOf<CustomPlant>}, system);
+  // A controller that cannot drive the robot is refused by `check` already.
+  system.check = [models = system.check, ready = system.make_ready,
+                  made = system.controllers](const Scenario& scenario) {
+    const std::string line = models(scenario);
+    for (const ControllerEntry& entry : made) {
+      if (scenario.command.empty() && entry.name == scenario.controller) {
+        entry.make(ready(scenario).nominal);
+      }
+    }
+    return line;
+  };
+  system.files = {.check = CheckModelFile,
+                  .keys = {{"robot", VisitRobotKeys}, {"dock", VisitDockKeys}}};
+  return system;
+}
+
+}  // namespace dockyard::custom

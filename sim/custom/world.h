@@ -1,0 +1,104 @@
+// The physical world of one run: a robot, a dock and the ground. Every run makes a new world and
+// never resets it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/custom/dock_model.h"
+#include "models/custom/robot_model.h"
+#include "models/parts/soil_model.h"
+#include "sim/custom/tree_in_world.h"
+#include "sim/custom/truth.h"
+#include "sim/drives/imu.h"
+#include "sim/drives/motor_drive.h"
+#include "sim/rigid/slope.h"
+#include "sim/soil/wheel_soil.h"
+#include "sim/vehicles/floor_contacts.h"
+#include "sim/vehicles/tyres.h"
+
+namespace dockyard::custom {
+
+/// Longer steps do not hold contacts of this stiffness. Assumed, 1-2 ms.
+inline constexpr double kLongestStep_s = 2e-3;
+
+struct WorldSetup {
+  RobotModel robot;
+  DockModel dock;
+  FirmGround ground;             // in the site frame G, which is D
+  std::vector<SoilModel> soils;  // by the ground's numbers, in place of its floors; empty: firm
+  Pose2 X_WG;                    // site in the world, before it is tilted
+  Slope slope;
+  Pose2 X_GR_start;                     // the robot in plan
+  std::string robot_frame, dock_frame;  // which meet when docked
+  std::vector<std::string> contacts;    // names of the electrical contacts
+  double step_s = 1e-3;
+};
+
+class World {
+ public:
+  /// The robot is braked until it has come to rest. The step must be in (0, kLongestStep_s].
+  explicit World(const WorldSetup& setup);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// One step with the drives obeying these commands, and a force on the robot's root [N].
+  void Step(const std::vector<MotorCommand>& commands,
+            const Eigen::Vector3d& push_G = Eigen::Vector3d::Zero());
+  /// A force on the dock's root in the next step [N]; for tests.
+  void PushDock(const Eigen::Vector3d& force_G);
+  Tick tick() const { return std::llround(time_s() / kTickSeconds); }
+  Truth truth() const;
+  /// Averages since the last call.
+  TrueImu TakeTrueImu();
+  /// Of a link of the robot, in the world W in place of G.
+  LinkMotion MotionInWorld(int link) const;
+  const HeightGrid& ground() const { return setup_.ground.heights; }
+  const Pose3& X_WG() const { return X_WG_; }
+  /// How far solids of robot and dock reached into each other as they were put down; 0: not at all.
+  double start_overlap_m() const { return start_overlap_m_; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  struct Contacts;
+  struct Motor {
+    int link = 0;  // in the tree
+    double travel_per_rad = 1.0;
+    MotorDrive drive;
+    DriveOutput output;
+  };
+  double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
+  double OverlapNow() const;
+  void AddMotors();
+  void AddWheels();
+  void Drive(const std::vector<MotorCommand>& commands);
+  void LoadWheels();
+  void RestDock();
+  void FillContacts(Truth& truth) const;
+  void FillWheels(Truth& truth) const;
+  void FillDock(Truth& truth) const;
+
+  WorldSetup setup_;
+  Pose3 X_WG_;
+  RigidWorld world_;
+  TreeInWorld robot_, dock_;
+  JointDrives robot_drives_, dock_drives_;  // of joints that no controller commands
+  std::vector<Motor> motors_;
+  std::optional<Tyres> tyres_;
+  std::vector<WheelSoil> soils_;
+  std::vector<WheelLoad> soil_loads_;
+  std::unique_ptr<Contacts> contacts_;
+  std::optional<ImuAverage> imu_;
+  std::vector<LinkSolid> dock_solids_;
+  Pose3 X_GD_start_;  // the dock as it was built
+  double dock_still_s_ = 0.0;
+  double start_overlap_m_ = 0.0;
+  double touch_n_ = 0.0, peak_touch_n_ = 0.0;
+  long steps_ = 0;
+};
+
+}  // namespace dockyard::custom
