@@ -15,6 +15,7 @@ SCENARIOS = {
     "axel": ["axel_typical.yaml"],
     "raposa": ["raposa_point_9.yaml"],
     "rocky7": ["rocky7_grasp.yaml"],
+    "custom": ["../examples/docks/charger/scenario.yaml"],
 }
 CONTROLLER = """import json, os, struct
 def read(n):
