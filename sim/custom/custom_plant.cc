@@ -1,5 +1,6 @@
 #include "sim/custom/custom_plant.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,8 +13,8 @@ namespace {
 
 // Contacts yield by this much where things rest on each other. Assumed, 1-5 mm.
 constexpr double kOverlap_m = 2e-3;
-// The nearest things in images, by which their blur is judged [m].
-constexpr double kNearest_m = 0.15;
+// A camera comes no nearer to a board [m].
+constexpr double kNearest_m = 0.1;
 
 std::vector<MotorModel> MotorModels(const RobotModel& robot) {
   std::vector<MotorModel> motors;
@@ -60,17 +61,28 @@ std::vector<CameraImage> CustomPlant::TakeImages(const std::vector<int>& cameras
   DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposure_stops);
   std::vector<CameraImage> images;
   for (const int number : cameras) {
-    CameraView& camera = cameras_.at(static_cast<std::size_t>(number));
+    SimulatedCamera& camera = cameras_.at(static_cast<std::size_t>(number));
     const int link = built_.world.robot.cameras[static_cast<std::size_t>(number)].link;
     const LinkMotion carrier = world_.MotionInWorld(link);
     const CameraMotion motion =
         CameraOnLink(camera.X_LC(), carrier.X_GL, carrier.v_GL_G, carrier.w_GL_G);
     // The robot's own parts move with the camera; what they hide or shade near it does not matter.
     const auto scene = [&](double) { return scene_.Make(truth_, world_.ground(), link); };
-    images.push_back(camera.Take(renderer_->Get(), scene, scene_.colours(), motion, world_.tick(),
-                                 {.nearest_m = kNearest_m, .exposure_stops = exposure_stops}));
+    images.push_back(camera.Take(
+        renderer_->Get(), scene, scene_.colours(), motion, world_.tick(),
+        {.nearest_m = NearestBoard_m(motion.X_WC.p), .exposure_stops = exposure_stops}));
   }
   return images;
+}
+
+// By this the blur of a moving camera is divided: the floor before it may smear more coarsely.
+double CustomPlant::NearestBoard_m(const Eigen::Vector3d& p_W) const {
+  double nearest_m = truth_.X_DR.p.head<2>().norm();
+  for (const BoardFit& board : built_.world.dock.boards) {
+    const Pose3& X_WL = truth_.X_WK[static_cast<std::size_t>(board.link)];
+    nearest_m = std::min(nearest_m, (X_WL * board.X_LB.p - p_W).norm());
+  }
+  return std::max(nearest_m, kNearest_m);
 }
 
 void CustomPlant::Push(const Eigen::Vector3d& force_D, double frequency_hz) {

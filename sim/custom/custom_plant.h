@@ -37,9 +37,11 @@ class CustomPlant final : public WorldPlant<World, BuiltRun> {
   void Push(const Eigen::Vector3d& force_D, double frequency_hz);
 
  private:
+  double NearestBoard_m(const Eigen::Vector3d& p_W) const;
+
   SensorSuite sensors_;
   SceneBuilder scene_;
-  std::vector<CameraView> cameras_;
+  std::vector<SimulatedCamera> cameras_;
   Eigen::Vector3d push_D_{0, 0, 0};
   double push_hz_ = 0.0, pushed_s_ = 0.0;
 };

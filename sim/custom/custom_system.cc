@@ -109,6 +109,10 @@ System CustomSystem(const std::vector<NamedController<Nominal>>& controllers) {
   };
   system.files = {.check = CheckModelFile,
                   .keys = {{"robot", VisitRobotKeys}, {"dock", VisitDockKeys}}};
+  system.example_files.scenario = "examples/docks/charger/scenario.yaml";
+  system.example_files.robot = "examples/docks/charger/robot/robot.yaml";
+  system.example_files.target = "examples/docks/charger/dock/dock.yaml";
+  system.example_files.start_images = "37c0ef87653b9fe5";
   return system;
 }
 

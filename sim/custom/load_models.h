@@ -28,8 +28,8 @@ struct ModelSet {
 
 struct CustomModels {
   CustomKeys keys;
-  ModelSet nominal;   // what the controller gets
-  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
+  ModelSet nominal;  // what the controller gets
+  ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
 };
 
 /// A file of models/floors or of models/soils. Throws ConfigError.

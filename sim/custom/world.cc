@@ -73,7 +73,7 @@ World::World(const WorldSetup& setup)
   world_.SetSolved(kSolvedHere);
   AddMotors();
   AddWheels();
-  contacts_ = std::make_unique<Contacts>(setup_, world_, robot_, dock_);
+  contacts_ = std::make_unique<WorldContacts>(setup_, world_, robot_, dock_);
   if (setup_.robot.imu) imu_.emplace(*setup_.robot.imu, GravityInSite(setup.slope));
   const std::vector<MotorCommand> braked(motors_.size());
   const long settle = std::lround(kSettle_s / setup_.step_s);

@@ -8,35 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "models/custom/dock_model.h"
-#include "models/custom/robot_model.h"
-#include "models/parts/soil_model.h"
 #include "sim/custom/tree_in_world.h"
 #include "sim/custom/truth.h"
+#include "sim/custom/world_setup.h"
 #include "sim/drives/imu.h"
 #include "sim/drives/motor_drive.h"
-#include "sim/rigid/slope.h"
 #include "sim/soil/wheel_soil.h"
-#include "sim/vehicles/floor_contacts.h"
 #include "sim/vehicles/tyres.h"
 
 namespace dockyard::custom {
 
-/// Longer steps do not hold contacts of this stiffness. Assumed, 1-2 ms.
-inline constexpr double kLongestStep_s = 2e-3;
-
-struct WorldSetup {
-  RobotModel robot;
-  DockModel dock;
-  FirmGround ground;             // in the site frame G, which is D
-  std::vector<SoilModel> soils;  // by the ground's numbers, in place of its floors; empty: firm
-  Pose2 X_WG;                    // site in the world, before it is tilted
-  Slope slope;
-  Pose2 X_GR_start;                     // the robot in plan
-  std::string robot_frame, dock_frame;  // which meet when docked
-  std::vector<std::string> contacts;    // names of the electrical contacts
-  double step_s = 1e-3;
-};
+struct WorldContacts;  // world_contacts.h
 
 class World {
  public:
@@ -64,7 +46,6 @@ class World {
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
-  struct Contacts;
   struct Motor {
     int link = 0;  // in the tree
     double travel_per_rad = 1.0;
@@ -91,7 +72,7 @@ class World {
   std::optional<Tyres> tyres_;
   std::vector<WheelSoil> soils_;
   std::vector<WheelLoad> soil_loads_;
-  std::unique_ptr<Contacts> contacts_;
+  std::unique_ptr<WorldContacts> contacts_;
   std::optional<ImuAverage> imu_;
   std::vector<LinkSolid> dock_solids_;
   Pose3 X_GD_start_;  // the dock as it was built

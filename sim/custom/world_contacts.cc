@@ -76,8 +76,8 @@ std::vector<LinkParts> OwnParts(const LinkTree& model, const RobotModel* robot) 
 
 }  // namespace
 
-World::Contacts::Contacts(const WorldSetup& setup, RigidWorld& in, const TreeInWorld& robot,
-                          const TreeInWorld& dock)
+WorldContacts::WorldContacts(const WorldSetup& setup, RigidWorld& in, const TreeInWorld& robot,
+                             const TreeInWorld& dock)
     : world(in),
       parts(in),
       robot_floor(in, setup.ground),
@@ -106,7 +106,7 @@ World::Contacts::Contacts(const WorldSetup& setup, RigidWorld& in, const TreeInW
                     side(dock, setup.dock.tree, setup.dock.electrical));
 }
 
-void World::Contacts::AddAll(double step_s) {
+void WorldContacts::AddAll(double step_s) {
   robot_floor.AddContacts(step_s);
   parts.AddContacts();
   pins.AddContacts(world);
@@ -115,7 +115,7 @@ void World::Contacts::AddAll(double step_s) {
   if (dock_own) dock_own->AddContacts();
 }
 
-double World::Contacts::TakeForces(double step_s) {
+double WorldContacts::TakeForces(double step_s) {
   pins.TakeForces(world, step_s);
   double sum_n = 0.0;
   for (const SpringPins::State& pin : pins.states()) sum_n += pin.force_n;

@@ -3,17 +3,19 @@
 
 #include <optional>
 
-#include "sim/custom/world.h"
+#include "sim/custom/tree_in_world.h"
+#include "sim/custom/world_setup.h"
+#include "sim/vehicles/floor_contacts.h"
 #include "sim/vehicles/own_contacts.h"
 #include "sim/vehicles/part_contacts.h"
 #include "sim/vehicles/spring_pins.h"
 
 namespace dockyard::custom {
 
-struct World::Contacts {
+struct WorldContacts {
   /// All of them must outlive this.
-  Contacts(const WorldSetup& setup, RigidWorld& world, const TreeInWorld& robot,
-           const TreeInWorld& dock);
+  WorldContacts(const WorldSetup& setup, RigidWorld& world, const TreeInWorld& robot,
+                const TreeInWorld& dock);
 
   /// Adds the contacts of the next step to the world.
   void AddAll(double step_s);

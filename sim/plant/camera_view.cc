@@ -12,21 +12,21 @@ CameraMotion CameraOnLink(const Pose3& X_LC, const Pose3& X_WL, const Eigen::Vec
   return {X_WC, v_WL_W + w_WL_W.cross(X_WC.p - X_WL.p), w_WL_W};
 }
 
-CameraView::CameraView(const CameraModel& model, const Seed& run_seed, int number)
+SimulatedCamera::SimulatedCamera(const CameraModel& model, const Seed& run_seed, int number)
     : model_(model),
       seed_(run_seed),
       number_(number),
       stream_("camera " + model.name),
       built_(BuiltCamera(model, run_seed, stream_)) {}
 
-double CameraView::MotionIn_px(const CameraMotion& motion, double nearest_m) const {
+double SimulatedCamera::MotionIn_px(const CameraMotion& motion, double nearest_m) const {
   return MotionInExposure_px(built_.camera, motion.w_WC_W.norm(), motion.v_WC_W.norm(), nearest_m,
                              model_.sensor.shutter_s);
 }
 
-CameraImage CameraView::Take(StereoRenderer& renderer, const SceneAt& scene,
-                             const ColourTable* colours, const CameraMotion& motion, Tick now,
-                             const Conditions& conditions) {
+CameraImage SimulatedCamera::Take(StereoRenderer& renderer, const SceneAt& scene,
+                                  const ColourTable* colours, const CameraMotion& motion, Tick now,
+                                  const Conditions& conditions) {
   CameraImage image{number_, GrayImage{}, now, model_.sensor.shutter_s};
   if (!model_.colour) {
     image.pixels = TakeGrey(renderer, scene, motion, conditions);
@@ -39,8 +39,8 @@ CameraImage CameraView::Take(StereoRenderer& renderer, const SceneAt& scene,
   return image;
 }
 
-GrayImage CameraView::TakeGrey(StereoRenderer& renderer, const SceneAt& scene,
-                               const CameraMotion& motion, const Conditions& conditions) {
+GrayImage SimulatedCamera::TakeGrey(StereoRenderer& renderer, const SceneAt& scene,
+                                    const CameraMotion& motion, const Conditions& conditions) {
   SensorOptions sensor = CameraSensor(model_, seed_, taken_, stream_);
   sensor.exposure_stops += conditions.exposure_stops;
   if (conditions.faults) conditions.faults(sensor);
@@ -58,9 +58,9 @@ GrayImage CameraView::TakeGrey(StereoRenderer& renderer, const SceneAt& scene,
       built_.camera, sensor);
 }
 
-RgbImage CameraView::TakeColour(StereoRenderer& renderer, const Scene& scene,
-                                const ColourTable& colours, const CameraMotion& motion, Tick now,
-                                const Conditions& conditions) {
+RgbImage SimulatedCamera::TakeColour(StereoRenderer& renderer, const Scene& scene,
+                                     const ColourTable& colours, const CameraMotion& motion,
+                                     Tick now, const Conditions& conditions) {
   const ColourSensorOptions sensor = ColourSensorOf(model_);
   const std::vector<Pose3> poses = PosesInExposure(
       motion.X_WC, motion.v_WC_W, motion.w_WC_W, model_.sensor.shutter_s,

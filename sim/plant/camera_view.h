@@ -22,11 +22,11 @@ CameraMotion CameraOnLink(const Pose3& X_LC, const Pose3& X_WL, const Eigen::Vec
 
 /// Takes the images of one camera in a run. It keeps what the camera keeps from image to image: the
 /// number of its images, and a colour camera's exposure and white balance.
-class CameraView {
+class SimulatedCamera {
  public:
   /// number: as in SensorFrame. The errors and the noise follow from the seed and the camera's
   /// name.
-  CameraView(const CameraModel& model, const Seed& run_seed, int number);
+  SimulatedCamera(const CameraModel& model, const Seed& run_seed, int number);
 
   const CameraModel& model() const { return model_; }
   const Camera& built() const { return built_.camera; }

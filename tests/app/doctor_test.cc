@@ -117,11 +117,11 @@ TEST(DoctorCommand, ListsFactsAndFindingsAndTheImagesOfAllSystems) {
   const Json answer = AnswerIn(SourceDir());
   std::vector<std::string> names;
   for (const Json& finding : answer["findings"]) names.push_back(finding["name"]);
-  EXPECT_THAT(names, testing::ElementsAre("dockyard", "program", "processor", "vectors", "libc",
-                                          "variants", "mathematics", "opencv", "bullet", "compiler",
-                                          "gl", "gl_vendor", "gl_renderer", "gl_version",
-                                          "image_axel", "image_raposa", "image_rocky7",
-                                          "processors", "memory", "disk", "lock", "/dev/shm"));
+  EXPECT_THAT(names, testing::ElementsAre(
+                         "dockyard", "program", "processor", "vectors", "libc", "variants",
+                         "mathematics", "opencv", "bullet", "compiler", "gl", "gl_vendor",
+                         "gl_renderer", "gl_version", "image_axel", "image_raposa", "image_rocky7",
+                         "image_custom", "processors", "memory", "disk", "lock", "/dev/shm"));
   EXPECT_EQ(answer["images"].size(), Systems().size());
   for (const System& system : Systems()) {
     EXPECT_EQ(answer["images"][system.name], system.example_files.start_images) << system.name;

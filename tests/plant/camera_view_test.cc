@@ -35,8 +35,8 @@ ColourTable Grey() {
 struct Shot {
   DockRoom room;
   StereoRenderer renderer;
-  CameraImage Take(CameraView& view, const CameraMotion& motion, Tick now = 0,
-                   const CameraView::Conditions& conditions = {}) {
+  CameraImage Take(SimulatedCamera& view, const CameraMotion& motion, Tick now = 0,
+                   const SimulatedCamera::Conditions& conditions = {}) {
     static const ColourTable colours = Grey();
     return view.Take(
         renderer, [&](double) { return room.SceneAt(motion.X_WC); }, &colours, motion, now,
@@ -46,10 +46,10 @@ struct Shot {
 
 const GrayImage& GreyOf(const CameraImage& image) { return std::get<GrayImage>(image.pixels); }
 
-TEST(CameraView, GivesTheSameBitsForTheSameSeedAndOtherNoiseInEachImage) {
+TEST(SimulatedCamera, GivesTheSameBitsForTheSameSeedAndOtherNoiseInEachImage) {
   Shot shot;
   const CameraMotion motion{shot.room.CameraAt(1.0)};
-  CameraView one(SmallCamera(), 7, 2), again(SmallCamera(), 7, 2), other(SmallCamera(), 8, 2);
+  SimulatedCamera one(SmallCamera(), 7, 2), again(SmallCamera(), 7, 2), other(SmallCamera(), 8, 2);
   const CameraImage first = shot.Take(one, motion, 30);
   EXPECT_EQ(first.camera, 2);
   EXPECT_EQ(first.exposed, 30);
@@ -69,18 +69,18 @@ double Sharpness(const GrayImage& image) {
   return sum;
 }
 
-TEST(CameraView, ATurningCameraBlursAsItsShutterIsOpen) {
+TEST(SimulatedCamera, ATurningCameraBlursAsItsShutterIsOpen) {
   Shot shot;
   CameraMotion motion{shot.room.CameraAt(0.6)};
   CameraModel model = SmallCamera();
   model.sensor.full_well_e = 1e6;  // hardly any noise
-  CameraView still(model, 7, 0), turning(model, 7, 0);
+  SimulatedCamera still(model, 7, 0), turning(model, 7, 0);
   const double sharp = Sharpness(GreyOf(shot.Take(still, motion)));
   motion.w_WC_W = {0.0, 0.0, 3.0};  // 3.6 px
   EXPECT_LT(Sharpness(GreyOf(shot.Take(turning, motion))), 0.7 * sharp);
 }
 
-TEST(CameraView, ACentreOffTheLinksOriginMovesByItsTurning) {
+TEST(SimulatedCamera, ACentreOffTheLinksOriginMovesByItsTurning) {
   const CameraMotion motion =
       CameraOnLink(Pose3::Translation(0.5, 0.0, 0.0), {RotZ(kPi / 2), {1.0, 2.0, 0.0}}, {0.1, 0, 0},
                    {0.0, 0.0, 2.0});
@@ -88,9 +88,9 @@ TEST(CameraView, ACentreOffTheLinksOriginMovesByItsTurning) {
   EXPECT_TRUE(motion.v_WC_W.isApprox(Eigen::Vector3d(0.1 - 1.0, 0.0, 0.0), 1e-12));
 }
 
-TEST(CameraView, ColourCameraOfAGreyRoomGivesGreyAndSettlesItsExposure) {
+TEST(SimulatedCamera, ColourCameraOfAGreyRoomGivesGreyAndSettlesItsExposure) {
   Shot shot;
-  CameraView view(SmallCamera(true), 7, 1);
+  SimulatedCamera view(SmallCamera(true), 7, 1);
   const CameraImage image = shot.Take(view, {shot.room.CameraAt(1.0)});
   const RgbImage& rgb = std::get<RgbImage>(image.pixels);
   ASSERT_EQ(rgb.pixels.size(), 3u * 160 * 120);
@@ -102,7 +102,7 @@ TEST(CameraView, ColourCameraOfAGreyRoomGivesGreyAndSettlesItsExposure) {
   for (const double sum : sums) EXPECT_NEAR(sum / (160 * 120), mean, 6.0);
 }
 
-TEST(CameraView, BuiltCameraIsOffByItsSigmas) {
+TEST(SimulatedCamera, BuiltCameraIsOffByItsSigmas) {
   CameraModel model = SmallCamera();
   model.errors = {.rotation_sigma_rad = 0.01,
                   .place_sigma_m = 0.002,
@@ -127,11 +127,11 @@ TEST(CameraView, BuiltCameraIsOffByItsSigmas) {
   EXPECT_NEAR(rms(centre), 2.0, 0.14);
 }
 
-TEST(CameraView, FaultsChangeTheSensor) {
+TEST(SimulatedCamera, FaultsChangeTheSensor) {
   Shot shot;
-  CameraView view(SmallCamera(), 7, 0);
+  SimulatedCamera view(SmallCamera(), 7, 0);
   const CameraMotion motion{shot.room.CameraAt(1.0)};
-  const auto mean = [&](const CameraView::Conditions& conditions) {
+  const auto mean = [&](const SimulatedCamera::Conditions& conditions) {
     double sum = 0.0;
     for (const std::uint8_t p : GreyOf(shot.Take(view, motion, 0, conditions)).pixels) sum += p;
     return sum / (160 * 120);

@@ -17,6 +17,11 @@ int BitsCorrected(const apriltag_family_t& family) {
 
 // libapriltag divides the image into tiles of 4 x 4 pixels, and needs some of them.
 constexpr int kLeastSide_px = 16;
+// Grey levels between the dark and the light of a tile of 4 x 4 pixels: with the library's 5 a
+// sensor's noise is searched for outlines. A dusty tag has 20 and more. Assumed, 10-20.
+constexpr int kLeastContrast = 12;
+// Pixels of an outline: those of a tag of 8 px. Assumed, 12-24.
+constexpr int kLeastOutline_px = 16;
 
 }  // namespace
 
@@ -28,6 +33,8 @@ AprilFinder::AprilFinder(const std::string& name)
   detector_->nthreads = 1;
   detector_->quad_decimate = 1.0f;
   detector_->refine_edges = true;
+  detector_->qtp.min_white_black_diff = kLeastContrast;
+  detector_->qtp.min_cluster_pixels = kLeastOutline_px;
 }
 
 std::vector<FoundTag> AprilFinder::Find(const GrayImage& image) const {

@@ -53,15 +53,19 @@ std::vector<GreySample> SamplesOf(const GrayImage& image, const TagCells& cells,
                                   const Eigen::Matrix3d& plane_from_cells,
                                   const StraightPlane& plane, double cell_px) {
   constexpr double kNearby_px = 1.0;  // blur by which an edge is near: 3 px of it
-  constexpr std::size_t kMost = 2500, kPlainStep = 8;
+  constexpr std::size_t kMost = 1000, kPlainStep = 8;
+  // A large tag is sampled with a stride along both sides.
+  constexpr double kPixels = 1.5e4;
   std::vector<GreySample> edges, plain;
   const std::optional<Bounds> bounds = BoundsOf(image, cells, plane_from_cells, plane);
   if (!bounds) return {};
   const Eigen::Matrix3d to_cells = plane_from_cells.inverse();
   const double most = 0.5 * cells.across - RimOf(cells, cell_px);
   const Eigen::Vector2d blur = Eigen::Vector2d::Constant(kNearby_px / cell_px);
-  for (int y = bounds->y0; y <= bounds->y1; ++y) {
-    for (int x = bounds->x0; x <= bounds->x1; ++x) {
+  const double pixels = (bounds->x1 - bounds->x0 + 1.0) * (bounds->y1 - bounds->y0 + 1.0);
+  const int stride = std::max(1, static_cast<int>(std::sqrt(pixels / kPixels)));
+  for (int y = bounds->y0; y <= bounds->y1; y += stride) {
+    for (int x = bounds->x0; x <= bounds->x1; x += stride) {
       const Eigen::Vector2d point = plane.FromPixel({x, y});
       const Eigen::Vector2d cell = (to_cells * point.homogeneous()).hnormalized();
       if (!(cell.cwiseAbs().maxCoeff() < most)) continue;

@@ -40,7 +40,7 @@ class DockByTag:
         x, y = X_DR[0, 3] - self.reach, X_DR[1, 3]
         heading = math.atan2(-X_DR[1, 0], -X_DR[0, 0])  # 0: towards the dock
         aim = math.atan2(y, max(0.35 * x, 0.05)) if x > 0.05 else 0.0
-        turn = max(-0.6, min(0.6, 2.0 * (-aim - heading if x > 0.05 else -heading)))
+        turn = max(-0.6, min(0.6, 2.0 * (aim - heading)))
         speed = 0.0 if abs(turn) > 0.55 else max(0.03, min(0.2, 0.5 * x))
         belief = {"x_m": X_DR[0, 3], "y_m": y, "heading_rad": math.atan2(X_DR[1, 0], X_DR[0, 0])}
         return Commands(self.wheels.motors(speed, turn), (0,), verdict=verdict, belief=belief)
@@ -49,8 +49,8 @@ class DockByTag:
         corners, ids, _ = cv2.aruco.detectMarkers(image.array(), self.tags)
         if ids is None:
             return
-        half = 0.5 * self.size  # corners as they come: top left, right, then below
-        points = numpy.array([[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]])
+        half = 0.5 * self.size  # OpenCV names an AprilTag's corners half a turn off its print
+        points = numpy.array([[half, half, 0], [-half, half, 0], [-half, -half, 0], [half, -half, 0]])
         _, turn, place = cv2.solvePnP(points, corners[0][0], self.K, None, flags=cv2.SOLVEPNP_IPPE)
         X_CB = numpy.identity(4)
         X_CB[:3, :3], X_CB[:3, 3] = cv2.Rodrigues(turn)[0], place[:, 0]

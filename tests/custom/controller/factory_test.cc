@@ -21,7 +21,7 @@ TEST(MakeGracefulController, TakesARobotWithTwoWheelsAndABoardOfDiscs) {
 TEST(MakeGracefulController, SaysWhichPartItCannotUse) {
   Nominal nominal = NominalOf();
   nominal.boards[0].board.fiducials.clear();
-  EXPECT_THAT(ReasonFor(nominal), HasSubstr("board board: it has no discs"));
+  EXPECT_THAT(ReasonFor(nominal), HasSubstr("board board: expected tags on it"));
   nominal = NominalOf();
   nominal.boards.clear();
   EXPECT_THAT(ReasonFor(nominal), HasSubstr("expected a board"));
