@@ -53,12 +53,11 @@ void VisitBoardFit(Keys& keys, BoardFile& board) {
   keys.Text({"link", "", "of the URDF file, on which it is", kRequired}, board.link);
   keys.Vector3({"middle_m", "m", "its middle in the link's frame", kRequired}, board.middle_L,
                Between(-10.0, 10.0));
-  keys.Degrees({"yaw_deg", "deg", "its normal from the link's x axis, about z"},
-               board.turn.yaw, Between(-180.0, 180.0));
+  keys.Degrees({"yaw_deg", "deg", "its normal from the link's x axis, about z"}, board.turn.yaw,
+               Between(-180.0, 180.0));
   keys.Degrees({"pitch_deg", "deg", "the same, down positive"}, board.turn.pitch,
                Between(-90.0, 90.0));
-  keys.Degrees({"roll_deg", "deg", "about its normal"}, board.turn.roll,
-               Between(-180.0, 180.0));
+  keys.Degrees({"roll_deg", "deg", "about its normal"}, board.turn.roll, Between(-180.0, 180.0));
   keys.Number({"dust", "", "mean share of its face under dust"}, board.dust, Between(0.0, 0.6));
   keys.Number({"wear", "", "share of the ink that is gone"}, board.wear, Between(0.0, 0.6));
   keys.Number({"print_scale", "", "size of the print, over that of its file"}, board.print_scale,
@@ -89,8 +88,8 @@ void VisitErrors(Keys& keys, DockErrors& errors) {
     in.Number({"wear", "", "share of the ink that is gone, more than their own"}, errors.wear,
               Between(0.0, 0.6));
     VisitShift(in, "of all boards off their places", errors.board_L);
-    in.Degrees({"roll_deg", "deg", "of all boards, about their normals"},
-               errors.board_turn.roll, Between(-30.0, 30.0));
+    in.Degrees({"roll_deg", "deg", "of all boards, about their normals"}, errors.board_turn.roll,
+               Between(-30.0, 30.0));
     in.Degrees({"pitch_deg", "deg", "the same, down positive"}, errors.board_turn.pitch,
                Between(-30.0, 30.0));
     in.Degrees({"yaw_deg", "deg", "the same, about the vertical"}, errors.board_turn.yaw,

@@ -10,8 +10,8 @@ namespace dockyard {
 
 /// Keys on top of a model's file.
 struct ModelChanges {
-  const YamlNode* nominal = nullptr;   // what the robot is: built so, and the controller is told
-  const YamlNode* built = nullptr;  // on top of that, what is built otherwise than told
+  const YamlNode* nominal = nullptr;  // what the robot is: built so, and the controller is told
+  const YamlNode* built = nullptr;    // on top of that, what is built otherwise than told
 };
 
 /// Puts `built` on top of the tree of what is told, mappings key by key. {times: a, plus: b} on a

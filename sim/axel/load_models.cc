@@ -126,7 +126,8 @@ AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   CheckAsBuilt(scenario);
   const YamlNode changes = ChangesOf(scenario, models.keys);
   models.nominal = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
-  models.built = LoadSet(scenario, models.keys, changes, scenario.as_built, &models.nominal, meshes);
+  models.built =
+      LoadSet(scenario, models.keys, changes, scenario.as_built, &models.nominal, meshes);
   const std::size_t marks = models.nominal.station.board.fiducials.size();
   if (models.built.station.board.fiducials.size() != marks) {
     RefuseKey(scenario.as_built, "as_built", "station.board",

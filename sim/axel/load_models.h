@@ -20,8 +20,8 @@ struct ModelSet {
 
 struct AxelModels {
   AxelKeys keys;
-  ModelSet nominal;   // what the controller is told of
-  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
+  ModelSet nominal;  // what the controller is told of
+  ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
 };
 
 /// Reads the files, applies the scenario's changes, cameras and tip angle, and checks the models

@@ -18,8 +18,8 @@ struct ModelSet {
 
 struct RaposaModels {
   RaposaKeys keys;
-  ModelSet nominal;   // what the controller is told of
-  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
+  ModelSet nominal;  // what the controller is told of
+  ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
 };
 
 /// Reads the files and applies the scenario's changes. Throws ConfigError.

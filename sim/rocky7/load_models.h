@@ -15,8 +15,8 @@ struct ModelSet {
 
 struct Rocky7Models {
   Rocky7Keys keys;
-  ModelSet nominal;   // what the controller is told of
-  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
+  ModelSet nominal;  // what the controller is told of
+  ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
 };
 
 /// Reads the files and applies the scenario's changes. Throws ConfigError.

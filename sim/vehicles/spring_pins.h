@@ -27,8 +27,8 @@ struct PinSide {
   std::vector<LinkSolid> solids{};
 };
 
-/// The force of a pin that is pressed in by this depth [N]; rises from the first touch on, and steeply
-/// once the stroke is used up.
+/// The force of a pin that is pressed in by this depth [N]; rises from the first touch on, and
+/// steeply once the stroke is used up.
 double PinForce(const SpringPin& pin, double pressed_m);
 
 class SpringPins {

@@ -244,7 +244,9 @@ TEST(Rig, ScalingKeepsTheOuterEdgesOfTheImage) {
 TEST(Rig, ReplacesTheRoversCamerasFromTheScenarioOrTheRoversFile) {
   const std::string typical = SourceFile("scenarios/axel_typical.yaml");
   const StereoRig navcam = LoadRig(kNavcam);
-  const auto rig = [](const Scenario& s) { return axel::LoadModels(s).nominal.rover.stereo.nominal; };
+  const auto rig = [](const Scenario& s) {
+    return axel::LoadModels(s).nominal.rover.stereo.nominal;
+  };
   const StereoRig chosen =
       rig(LoadScenario(typical, {"camera.file=" + kNavcam}, KnownSystems(Systems())));
   EXPECT_EQ(chosen.left, navcam.left);
