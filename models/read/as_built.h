@@ -10,7 +10,7 @@ namespace dockyard {
 
 /// Keys on top of a model's file.
 struct ModelChanges {
-  const YamlNode* nominal = nullptr;  // what the robot is: built so, and the controller is told
+  const YamlNode* nominal = nullptr;  // changes of the nominal values
   const YamlNode* built = nullptr;    // on top of that, what is built otherwise than told
 };
 

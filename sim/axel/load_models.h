@@ -20,7 +20,7 @@ struct ModelSet {
 
 struct AxelModels {
   AxelKeys keys;
-  ModelSet nominal;  // what the controller is told of
+  ModelSet nominal;  // the values that the controller gets
   ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
 };
 
