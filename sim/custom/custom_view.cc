@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/ground_spectrum.h"
 #include "sim/plant/ground_view.h"
 #include "sim/plant/scenery.h"
 #include "sim/run/shade_body.h"
@@ -34,22 +35,6 @@ Eigen::Vector3d ColourOf(GroundMaterialKind material) {
       break;
   }
   return {0.32, 0.31, 0.29};
-}
-
-Spectrum SpectrumOf(GroundMaterialKind material) {
-  switch (material) {
-    case GroundMaterialKind::kSoil:
-      return Soil();
-    case GroundMaterialKind::kGrass:
-      return Grass();
-    case GroundMaterialKind::kBrick:
-      return Brick();
-    case GroundMaterialKind::kGrey:
-      return EvenGrey(0.3);
-    case GroundMaterialKind::kFloor:
-      break;
-  }
-  return FloorCovering();
 }
 
 // A smooth reflectance with these shares of short, middle and long waves. Bounds and widths are

@@ -1,7 +1,6 @@
 #include "sim/plant/drawn_mesh.h"
 
 namespace dockyard {
-namespace {
 
 std::shared_ptr<const RenderMesh> DrawnMesh(const TriangleMesh& mesh) {
   auto drawn = std::make_shared<RenderMesh>();
@@ -9,8 +8,6 @@ std::shared_ptr<const RenderMesh> DrawnMesh(const TriangleMesh& mesh) {
   drawn->triangles = mesh.triangles;
   return drawn;
 }
-
-}  // namespace
 
 std::vector<DrawnPart> DrawnParts(const std::vector<Visual>& visuals) {
   std::vector<DrawnPart> parts;

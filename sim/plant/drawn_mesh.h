@@ -9,6 +9,8 @@
 
 namespace dockyard {
 
+std::shared_ptr<const RenderMesh> DrawnMesh(const TriangleMesh& mesh);
+
 /// A part of a link, in its frame L.
 struct DrawnPart {
   std::shared_ptr<const RenderMesh> mesh;

@@ -5,6 +5,7 @@
 #include "render/shading.h"
 #include "sim/base/random.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/ground_spectrum.h"
 #include "sim/plant/ground_view.h"
 #include "sim/raposa/mark_meshes.h"
 #include "sim/run/shade_body.h"
@@ -19,22 +20,6 @@ constexpr double kDaylightFrom_k = 4000.0;
 constexpr double kRubber = 0.06, kBareFaces = 0.30;
 // Linear colours for spectators alone.
 const Eigen::Vector3d kOrangeRgb(0.71, 0.12, 0.02), kBlueRgb(0.01, 0.09, 0.34);
-
-Spectrum SpectrumOf(GroundMaterialKind material) {
-  switch (material) {
-    case GroundMaterialKind::kSoil:
-      return Soil();
-    case GroundMaterialKind::kGrass:
-      return Grass();
-    case GroundMaterialKind::kBrick:
-      return Brick();
-    case GroundMaterialKind::kGrey:
-      return EvenGrey(0.3);
-    case GroundMaterialKind::kFloor:
-      break;
-  }
-  return FloorCovering();
-}
 
 }  // namespace
 
