@@ -1,5 +1,10 @@
 #include "controller/vision/tags/april_finder.h"
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
 #include "controller/base/check.h"
 
 namespace dockyard {
@@ -23,6 +28,20 @@ constexpr int kLeastContrast = 12;
 // Pixels of an outline: those of a tag of 8 px. Assumed, 12-24.
 constexpr int kLeastOutline_px = 16;
 
+/// Grey levels on a scale on which half the light is nearly the same step everywhere. The library
+/// takes the middle between the darkest and the lightest pixel nearby for the threshold, so a white
+/// square in the shade counts as black next to a lit one: on this scale it does not.
+std::array<std::uint8_t, 256> Tones() {
+  constexpr double kDark = 32.0;  // darker levels, which are noise, are stretched no more
+  constexpr double kFull = 255.0;
+  std::array<std::uint8_t, 256> tones{};
+  for (std::size_t grey = 0; grey < tones.size(); ++grey) {
+    const double share = std::log1p(static_cast<double>(grey) / kDark) / std::log1p(kFull / kDark);
+    tones[grey] = static_cast<std::uint8_t>(std::lround(kFull * share));
+  }
+  return tones;
+}
+
 }  // namespace
 
 AprilFinder::AprilFinder(const std::string& name)
@@ -39,18 +58,24 @@ AprilFinder::AprilFinder(const std::string& name)
 
 std::vector<FoundTag> AprilFinder::Find(const GrayImage& image) const {
   if (image.width < kLeastSide_px || image.height < kLeastSide_px) return {};
-  std::vector<std::uint8_t> pixels = image.pixels;
-  image_u8_t view{
-      .width = image.width, .height = image.height, .stride = image.width, .buf = pixels.data()};
+  std::vector<FoundTag> found = FindIn(image.width, image.height, image.pixels);
+  if (!found.empty()) return found;
+  static const std::array<std::uint8_t, 256> tones = Tones();
+  std::vector<std::uint8_t> toned;
+  toned.reserve(image.pixels.size());
+  for (const std::uint8_t pixel : image.pixels) toned.push_back(tones[pixel]);
+  return FindIn(image.width, image.height, std::move(toned));
+}
+
+std::vector<FoundTag> AprilFinder::FindIn(int width, int height,
+                                          std::vector<std::uint8_t> pixels) const {
+  image_u8_t view{.width = width, .height = height, .stride = width, .buf = pixels.data()};
   zarray_t* detections = apriltag_detector_detect(detector_.get(), &view);
   std::vector<FoundTag> found;
   for (int i = 0; i < zarray_size(detections); ++i) {
     apriltag_detection_t* tag = nullptr;
     zarray_get(detections, i, &tag);
-    FoundTag one{.id = tag->id,
-                 .hamming = tag->hamming,
-                 .decision_margin = tag->decision_margin,
-                 .corners = {}};
+    FoundTag one{.id = tag->id, .hamming = tag->hamming, .corners = {}};
     for (std::size_t k = 0; k < 4; ++k) {
       // Its first corner is the bottom left one, and they go round counter-clockwise. It counts
       // pixels from the outer corner of the first one.

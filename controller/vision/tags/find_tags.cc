@@ -42,10 +42,9 @@ std::vector<FoundTag> TagFinder::Find(const GrayImage& image, const Camera* came
     tag.fitted = fit.has_value();
     tag.sigma_px = fit ? fit->sigma_px : kDetectorSigma_px;
     if (fit) tag.corners = fit->corners;
-    if (!family.aruco) continue;
     const CellReading reading = ReadCells(image, cells[i], tag.corners);
-    tag.hamming = reading.wrong;
     tag.decision_margin = reading.margin;
+    if (family.aruco) tag.hamming = reading.wrong;
   }
   std::sort(found.begin(), found.end(), [](const FoundTag& a, const FoundTag& b) {
     if (a.id != b.id) return a.id < b.id;

@@ -50,7 +50,7 @@ std::optional<Bounds> BoundsOf(const GrayImage& image, const TagCells& cells,
 
 /// Pixels near edges of the pattern, and some of its plain parts for the grey levels.
 std::vector<GreySample> SamplesOf(const GrayImage& image, const TagCells& cells,
-                                  const Eigen::Matrix3d& plane_from_cells,
+                                  const LightGrid& grid, const Eigen::Matrix3d& plane_from_cells,
                                   const StraightPlane& plane, double cell_px) {
   constexpr double kNearby_px = 1.0;  // blur by which an edge is near: 3 px of it
   constexpr std::size_t kMost = 1000, kPlainStep = 8;
@@ -71,7 +71,7 @@ std::vector<GreySample> SamplesOf(const GrayImage& image, const TagCells& cells,
       if (!(cell.cwiseAbs().maxCoeff() < most)) continue;
       const double share = BlacknessAt(cells, cell, blur).share;
       const bool edge = share > 0.003 && share < 0.997;
-      (edge ? edges : plain).push_back({point, static_cast<double>(image.at(x, y))});
+      (edge ? edges : plain).push_back({point, grid.At(cell), static_cast<double>(image.at(x, y))});
     }
   }
   const std::size_t step = 1 + edges.size() / kMost;
@@ -82,7 +82,7 @@ std::vector<GreySample> SamplesOf(const GrayImage& image, const TagCells& cells,
 }
 
 /// Grey levels that fit the pattern at its first place, even light assumed.
-void SetLevels(const TagCells& cells, const std::vector<GreySample>& samples,
+void SetLevels(const TagCells& cells, const LightGrid& grid, const std::vector<GreySample>& samples,
                const Eigen::Matrix3d& to_cells, double cell_px, TagEstimate* at) {
   Eigen::Matrix2d A = Eigen::Matrix2d::Identity() * 1e-9;
   Eigen::Vector2d b = Eigen::Vector2d::Zero();
@@ -94,8 +94,8 @@ void SetLevels(const TagCells& cells, const std::vector<GreySample>& samples,
     b += row * sample.grey;
   }
   const Eigen::Vector2d levels = A.ldlt().solve(b);
-  at->white = {levels[0], 0.0, 0.0};
-  at->dark = {levels[1], 0.0, 0.0};
+  at->light.setConstant(grid.nodes(), std::max(1.0, levels[0]));
+  at->contrast = -levels[1] / at->light[0];
 }
 
 /// Standard deviation of normal errors, wild ones left aside; of rounding at the least.
@@ -106,10 +106,39 @@ double NoiseOf(const std::vector<double>& errors) {
   return std::max(kRounding, 1.4826 * Median(sizes));
 }
 
+/// The same for the prediction: what a shade or worn ink leaves counts as well, up to a bound.
+double SpreadOf(const std::vector<double>& errors) {
+  const double most = 6.0 * NoiseOf(errors);
+  double sum = 0.0;
+  for (const double error : errors) sum += std::pow(std::min(std::abs(error), most), 2);
+  return std::max(NoiseOf(errors), std::sqrt(sum / static_cast<double>(errors.size())));
+}
+
+// Errors of a fit, as a share of the step from white to black. Assumed, 0.1-0.2.
+constexpr double kMostNoise = 0.15;
+
+/// Descends in rounds. Each takes the noise, and how uneven the light is, from the one before:
+/// with even light free to vary, errors of the blur's model would pass for light.
+bool Fit(const LightGrid& grid, TagProblem* problem, TagEstimate* at) {
+  // Bounds of the light's changes from node to node, as a share of it: even light, a sharp shade.
+  // Assumed, 0.002-0.01 and 0.2-0.5.
+  constexpr double kLeastUneven = 0.005, kMostUneven = 0.3;
+  problem->SetNoise(kMostNoise * at->Step());
+  problem->SetUnevenness(kMostUneven);
+  for (const int iterations : {12, 8, 6}) {
+    *at = Descend<TagEquations>(*problem, *at, iterations, 1e-6);
+    problem->SetUnevenness(std::clamp(Unevenness(grid, at->light), kLeastUneven, kMostUneven));
+    const std::vector<double> errors = problem->Errors(*at);
+    if (errors.empty()) return false;
+    problem->SetNoise(NoiseOf(errors));
+  }
+  return true;
+}
+
 /// Of a corner, one axis, over all corners [px].
 double SigmaOf(const TagEquations& equations, const TagEstimate& at, const StraightPlane& plane) {
-  const Eigen::Matrix<double, kTagUnknowns, kTagUnknowns> covariance =
-      equations.A.ldlt().solve(Eigen::Matrix<double, kTagUnknowns, kTagUnknowns>::Identity());
+  const TagEquations::Square covariance = equations.A.ldlt().solve(
+      TagEquations::Square::Identity(equations.A.rows(), equations.A.cols()));
   double variance = 0.0;
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector2d& corner = at.corners[static_cast<std::size_t>(k)];
@@ -138,25 +167,24 @@ std::optional<TagFit> FitTag(const GrayImage& image, const TagCells& cells,
       (at.corners[0] - at.corners[1]).norm() + (at.corners[1] - at.corners[2]).norm() +
       (at.corners[2] - at.corners[3]).norm() + (at.corners[3] - at.corners[0]).norm();
   const double cell_px = perimeter / (4.0 * cells.at_border);
-  const std::vector<GreySample> samples = SamplesOf(image, cells, *H, plane, cell_px);
-  if (samples.size() < 3 * kTagUnknowns) return std::nullopt;
-  SetLevels(cells, samples, H->inverse(), cell_px, &at);
+  const LightGrid grid(cells.across, cells.across * cell_px);
+  constexpr int kLeastShare = 2;  // of samples over unknowns
+  const std::vector<GreySample> samples = SamplesOf(image, cells, grid, *H, plane, cell_px);
+  if (samples.size() < static_cast<std::size_t>(kLeastShare * (kTagShared + grid.nodes())))
+    return std::nullopt;
+  SetLevels(cells, grid, samples, H->inverse(), cell_px, &at);
   constexpr double kLeastContrast = 8.0;  // grey levels; assumed, 5-15
-  if (-at.dark[0] < kLeastContrast) return std::nullopt;
-  TagProblem problem(cells, samples);
+  if (at.Step() < kLeastContrast) return std::nullopt;
+  TagProblem problem(cells, grid, samples);
   const TagCorners first = at.corners;
-  problem.SetNoise(0.15 * -at.dark[0]);
-  for (const int iterations : {12, 8, 6}) {
-    at = Descend<TagEquations>(problem, at, iterations, 1e-6);
-    const std::vector<double> errors = problem.Errors(at);
-    if (errors.empty()) return std::nullopt;
-    problem.SetNoise(NoiseOf(errors));
-  }
+  if (!Fit(grid, &problem, &at)) return std::nullopt;
   // A fit that went elsewhere, or one that leaves much of the contrast unexplained.
-  const double noise = NoiseOf(problem.Errors(at));
+  const std::vector<double> errors = problem.Errors(at);
   double moved = 0.0;
   for (std::size_t k = 0; k < 4; ++k) moved = std::max(moved, (at.corners[k] - first[k]).norm());
-  if (moved > std::max(2.0, 0.5 * cell_px) || noise > 0.15 * -at.dark[0]) return std::nullopt;
+  if (moved > std::max(2.0, 0.5 * cell_px) || NoiseOf(errors) > kMostNoise * at.Step())
+    return std::nullopt;
+  problem.SetNoise(SpreadOf(errors));
   TagEquations equations;
   problem.Cost(at, &equations);
   // What the model leaves out, such as the shape of the blur. Assumed, 0.005-0.03.

@@ -57,6 +57,7 @@ TagSighting PoseOf(const std::vector<BoardTag>& tags, const CameraView& view,
     sighting.branches.push_back({.X_RB = refined.X_RB,
                                  .rms_px = refined.rms_px,
                                  .cost = refined.cost,
+                                 .freedom = refined.freedom,
                                  .covariance = refined.covariance});
   }
   std::stable_sort(sighting.branches.begin(), sighting.branches.end(),

@@ -15,6 +15,7 @@ struct TagBranch {
   Pose3 X_RB;
   double rms_px = 0.0;  // over all corners, of the distance in the image
   double cost = 0.0;    // robust sum of squares over sigma squared
+  int freedom = 0;      // what the cost is on average, when the sigmas hold
   // Of p_RB [m], then of a small turn about R's axes [rad], as SightingReport::covariance.
   Matrix6d covariance = Matrix6d::Zero();
 };

@@ -107,6 +107,40 @@ TEST(FoundTag, PredictsTheErrorOfItsCorners) {
   EXPECT_LT(ratio, 2.0);
 }
 
+TEST(FoundTag, UnderTheEdgeOfAShadeHasItsCornersToTheirPrediction) {
+  StereoRenderer renderer;
+  const Camera camera = Pinhole(640, 480, Radians(75));
+  const FiducialBoard board = OneTag("tag36h11", 7, 0.1);
+  const TagFinder finder("tag36h11");
+  double squares = 0.0;
+  int found = 0;
+  constexpr int kViews = 32;
+  for (int i = 0; i < kViews; ++i) {
+    const TagPlace place{.range_m = 0.5 + 0.04 * i,
+                         .yaw_rad = Radians(1.0 * i),
+                         .roll_rad = Radians(5.0 * i),
+                         .aim_rad = {Radians(0.37 * i), Radians(0.21 * i)}};
+    TagImage view = RenderTags(renderer, board, camera, place, static_cast<std::uint64_t>(i + 1));
+    const auto truth = TrueCorners(view, board.tags[0]);
+    // It leaves one corner and the middle in the shade or in the light, by turns.
+    const auto k = static_cast<std::size_t>(i % 4);
+    const Eigen::Vector2d at = 0.7 * truth[k] + 0.3 * truth[(k + 2) % 4];
+    const double side_px = (truth[1] - truth[0]).norm();
+    view.image = Shaded(view.image, at, 0.7 * i, 0.2 * side_px, 0.4);
+    const std::vector<FoundTag> tags = finder.Find(view.image, &camera);
+    if (tags.empty()) continue;
+    ++found;
+    EXPECT_LT(WorstOff(tags[0].corners, truth), 0.3) << i;
+    for (std::size_t c = 0; c < 4; ++c) {
+      squares += (tags[0].corners[c] - truth[c]).squaredNorm() / std::pow(tags[0].sigma_px, 2);
+    }
+  }
+  EXPECT_GE(found, kViews - 2);
+  const double ratio = std::sqrt(squares / (8.0 * found));
+  std::printf("%d found, error over predicted error: %.2f\n", found, ratio);
+  EXPECT_LT(ratio, 3.0);
+}
+
 TEST(FoundTag, OfAWornAndDustyBoardIsStillThere) {
   StereoRenderer renderer;
   const Camera camera = Pinhole(640, 480, Radians(75));

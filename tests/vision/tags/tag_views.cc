@@ -1,5 +1,6 @@
 #include "vision/tags/tag_views.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/vision/tags/tag_code.h"
@@ -48,6 +49,21 @@ TagImage RenderTags(StereoRenderer& renderer, const FiducialBoard& board, const 
                     const TagPlace& place, std::uint64_t key) {
   return RenderTags(renderer, BoardView{.board = board, .X_WB = {}, .dusty_spots = {}}, camera,
                     place, key);
+}
+
+GrayImage Shaded(const GrayImage& image, const Eigen::Vector2d& pixel, double normal_rad,
+                 double penumbra_px, double share) {
+  GrayImage shaded = image;
+  const Eigen::Vector2d normal(std::cos(normal_rad), std::sin(normal_rad));
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double into = normal.dot(Eigen::Vector2d(x, y) - pixel) / penumbra_px + 0.5;
+      const double light = 1.0 - (1.0 - share) * std::clamp(into, 0.0, 1.0);
+      shaded.pixels[static_cast<std::size_t>(y * image.width + x)] =
+          static_cast<std::uint8_t>(std::lround(light * image.at(x, y)));
+    }
+  }
+  return shaded;
 }
 
 std::array<Eigen::Vector2d, 4> TrueCorners(const TagImage& image, const SquareTag& tag) {

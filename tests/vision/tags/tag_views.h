@@ -39,6 +39,12 @@ TagImage RenderTags(StereoRenderer& renderer, const BoardView& view, const Camer
 TagImage RenderTags(StereoRenderer& renderer, const FiducialBoard& board, const Camera& camera,
                     const TagPlace& place, std::uint64_t key);
 
+/// The image with a shade's edge over it: beyond a line through a pixel the light falls to a share
+/// of what it was, along a penumbra of that width.
+/// @param normal_rad  of the line, from x to y, towards the shade
+GrayImage Shaded(const GrayImage& image, const Eigen::Vector2d& pixel, double normal_rad,
+                 double penumbra_px, double share);
+
 /// True pixels of a tag's corners.
 std::array<Eigen::Vector2d, 4> TrueCorners(const TagImage& image, const SquareTag& tag);
 
