@@ -37,7 +37,7 @@ std::vector<PoseBranch> BranchesOf(const std::vector<PlanarBranch>& found,
     });
     if (again || !ShowsItsFace(fit.X_RB)) continue;
     if (fit.freedom > 0 && fit.misfit > kPoor * ChiSquareLimit(fit.freedom)) continue;
-    branches.push_back({fit.X_RB, fit.rms_px, fit.misfit, fit.covariance});
+    branches.push_back({fit.X_RB, fit.rms_px, fit.misfit, fit.freedom, fit.covariance});
   }
   std::stable_sort(branches.begin(), branches.end(),
                    [](const PoseBranch& a, const PoseBranch& b) { return a.misfit < b.misfit; });

@@ -25,6 +25,7 @@ Eigen::Vector3d Difference(const Pose2& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 void DockFilter::Drive(const Pose2& X_OA, const Motion& motion, double dt_s) {
+  X_OA_ = X_OA;
   const double length = std::abs(motion.length_m), turn = std::abs(motion.turn_rad);
   const double turn_share = has_imu_ ? noise_.turn_share_imu : noise_.turn_share;
   const double heading = has_imu_ ? 0.0 : std::pow(noise_.heading_rad_per_sqrt_m, 2) * length;
@@ -44,10 +45,24 @@ void DockFilter::Drive(const Pose2& X_OA, const Motion& motion, double dt_s) {
   }
 }
 
+/// The weight of the next sighting: less for each before it from the same place.
+double DockFilter::CountHere() {
+  const double moved_m = std::hypot(X_OA_.x - X_OA_place_.x, X_OA_.y - X_OA_place_.y);
+  if (from_here_ == 0 || moved_m >= errors_.place_m) {
+    X_OA_place_ = X_OA_;
+    from_here_ = 0;
+  }
+  ++from_here_;
+  return 1.0 / from_here_;
+}
+
 /// Probabilistic data association (Bar-Shalom and Tse, Automatica 11, 1975): each branch within the
 /// gate counts by its likelihood, and their spread adds to the covariance. Where the camera faces
 /// the board, both branches are near. The nearest one alone would only confirm the estimate.
-bool DockFilter::Take(const std::vector<DockFix>& fixes, Hypothesis* hypothesis) {
+/// One wild sighting must not decide between hypotheses, so a score grows by no more than the
+/// chance of one allows.
+bool DockFilter::Take(const std::vector<DockFix>& fixes, double weight,
+                      Hypothesis* hypothesis) const {
   struct Candidate {
     Eigen::Vector3d error;
     const DockFix* fix;
@@ -63,8 +78,9 @@ bool DockFilter::Take(const std::vector<DockFix>& fixes, Hypothesis* hypothesis)
     candidates.push_back({error, &fix, distance2 + fix.misfit / kAlike});
     least = std::min(least, candidates.back().cost);
   }
+  const double score = -2.0 * std::log(std::exp(-0.5 * least) + errors_.wild_share);
+  hypothesis->score += weight * score;
   if (candidates.empty()) {
-    hypothesis->score += kGate;
     ++hypothesis->missed;
     return false;
   }
@@ -72,21 +88,20 @@ bool DockFilter::Take(const std::vector<DockFix>& fixes, Hypothesis* hypothesis)
   Eigen::Vector3d error = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
   for (const Candidate& candidate : candidates) {
-    const double weight = std::exp(0.5 * (least - candidate.cost));
-    sum += weight;
-    error += weight * candidate.error;
-    R += weight * candidate.fix->covariance;
-    spread += weight * candidate.error * candidate.error.transpose();
+    const double share = std::exp(0.5 * (least - candidate.cost));
+    sum += share;
+    error += share * candidate.error;
+    R += share * candidate.fix->covariance;
+    spread += share * candidate.error * candidate.error.transpose();
   }
   error /= sum;
-  R /= sum;
+  R /= sum * weight;
   spread = spread / sum - error * error.transpose();
   const Eigen::Matrix3d K = (hypothesis->P + R).ldlt().solve(hypothesis->P).transpose();
   hypothesis->mean += K * error;
   hypothesis->mean.z() = WrapPi(hypothesis->mean.z());
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - K;
   hypothesis->P = rest * hypothesis->P * rest.transpose() + K * (R + spread) * K.transpose();
-  hypothesis->score += least;
   hypothesis->missed = 0;
   return true;
 }
@@ -106,8 +121,9 @@ bool DockFilter::See(const std::vector<DockFix>& fixes) {
   const bool usable = std::any_of(fixes.begin(), fixes.end(),
                                   [](const DockFix& fix) { return fix.misfit <= kGate; });
   if (!usable) return false;
+  const double weight = CountHere();
   bool taken = false;
-  for (Hypothesis& hypothesis : kept_) taken = Take(fixes, &hypothesis) || taken;
+  for (Hypothesis& hypothesis : kept_) taken = Take(fixes, weight, &hypothesis) || taken;
   const bool elsewhere =
       !kept_.empty() && std::all_of(kept_.begin(), kept_.end(), [](const Hypothesis& hypothesis) {
         return hypothesis.missed >= kMostMissed;
@@ -116,6 +132,7 @@ bool DockFilter::See(const std::vector<DockFix>& fixes) {
     Restart(fixes);
     taken = true;
   }
+  if (taken) lasting_ = fixes.front().lasting;
   Decide();
   return taken && kept_.front().missed == 0;
 }

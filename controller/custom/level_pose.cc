@@ -58,11 +58,12 @@ PlacedDock PlaceDock(const PoseBranch& branch, const Pose3& X_RC, const Pose3& X
   }
   const Eigen::Vector2d sight = X_HD.p.head<2>() - X_HC.p.head<2>();
   const Eigen::Vector2d across(-sight.y(), sight.x());
-  placed.covariance.topLeftCorner<2, 2>() +=
+  placed.lasting.topLeftCorner<2, 2>() =
       std::pow(spread.range_share, 2) * sight * sight.transpose() +
       std::pow(spread.aside_rad, 2) * across * across.transpose() +
       std::pow(spread.place_m, 2) * Eigen::Matrix2d::Identity();
-  placed.covariance(2, 2) += std::pow(spread.heading_rad, 2);
+  placed.lasting(2, 2) = std::pow(spread.heading_rad, 2);
+  placed.covariance += placed.lasting;
   return placed;
 }
 

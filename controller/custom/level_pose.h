@@ -24,6 +24,7 @@ struct FloorSpread {
 struct PlacedDock {
   Pose2 X_HD;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of x, y [m], heading [rad]
+  Eigen::Matrix3d lasting = Eigen::Matrix3d::Zero();     // the part that each sighting shares
   double floor_misfit = 0.0;  // chi-square of tilt and height, 3 degrees of freedom
 };
 

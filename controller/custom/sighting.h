@@ -19,6 +19,7 @@ struct PoseBranch {
   double rms_px = 0.0;  // of the reprojection
   // Sum of squares of the reprojection errors by their sigmas, for comparing branches.
   double misfit = 0.0;
+  int freedom = 0;  // what the misfit is on average, when the sigmas hold; 0: unknown
   // Of p_CB [m], then of a small turn of B about C's axes [rad].
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };

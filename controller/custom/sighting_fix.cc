@@ -23,13 +23,20 @@ std::vector<DockFix> FixesOf(const BoardSighting& sighting, const Nominal& nomin
   const Pose3& X_DB = nominal.boards[static_cast<std::size_t>(sighting.board)].X_DB;
   double least = std::numeric_limits<double>::infinity();
   for (const PoseBranch& branch : sighting.branches) least = std::min(least, branch.misfit);
+  // Marks that err by more than predicted, as in a shade, err so in both branches.
+  double excess = 1.0;
+  if (!sighting.branches.empty() && sighting.branches[0].freedom > 0)
+    excess = std::max(1.0, least / sighting.branches[0].freedom);
   const Eigen::Matrix3d R_OR = RotZ(X_OR.heading);
   std::vector<DockFix> fixes;
-  for (const PoseBranch& branch : sighting.branches) {
+  for (PoseBranch branch : sighting.branches) {
+    branch.covariance *= excess;
     const PlacedDock dock = PlaceDock(branch, X_RC, X_DB, nominal.height_m, imu);
-    fixes.push_back({.X_OD = X_OR * dock.X_HD,
-                     .covariance = R_OR * dock.covariance * R_OR.transpose(),
-                     .misfit = dock.floor_misfit + std::min(branch.misfit - least, kMostMisfit)});
+    fixes.push_back(
+        {.X_OD = X_OR * dock.X_HD,
+         .covariance = R_OR * dock.covariance * R_OR.transpose(),
+         .misfit = dock.floor_misfit + std::min((branch.misfit - least) / excess, kMostMisfit),
+         .lasting = R_OR * dock.lasting * R_OR.transpose()});
   }
   return fixes;
 }

@@ -40,7 +40,8 @@ BoardSighting Locate(const std::vector<FamilyTags>& families, const CameraImage&
     const TagSighting found =
         TagBoardPose(tags.found, tags.family, view, board, {.fit_turn = false});
     for (const TagBranch& branch : found.branches) {
-      sighting.branches.push_back({branch.X_RB, branch.rms_px, branch.cost, branch.covariance});
+      sighting.branches.push_back(
+          {branch.X_RB, branch.rms_px, branch.cost, branch.freedom, branch.covariance});
     }
     for (const int used : found.used) {
       const int id = board.tags[static_cast<std::size_t>(used)].id;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <cstdio>
 
 #include "controller/motion/arcs.h"
 #include "sim/base/random.h"
@@ -63,7 +64,7 @@ TEST(DockFilter, ErrsAsItsCovarianceSays) {
   const int count = 300;
   for (int seed = 0; seed < count; ++seed) {
     DrivenRobot drive(static_cast<std::uint64_t>(seed) + 1);
-    DockFilter filter(noise, true);
+    DockFilter filter(noise, true, {.place_m = 0.0});  // each sighting errs on its own
     for (int i = 0; i < 300; ++i) {
       if (i % 10 == 0) filter.See({drive.Fix(sigma)});
       drive.Step(noise, 0.004, i < 150 ? 0.003 : -0.003, &filter);
@@ -73,6 +74,64 @@ TEST(DockFilter, ErrsAsItsCovarianceSays) {
   }
   // Chi-square of 3 degrees of freedom: mean 3, 1 sigma sqrt(6 / count).
   EXPECT_NEAR(sum / count, 3.0, 4.0 * std::sqrt(6.0 / count));
+}
+
+TEST(DockFilter, DoesNotAverageErrorsThatOnePlaceShares) {
+  // The error is drawn anew every 0.12 m. Chi-square of 3 degrees of freedom; the weights leave
+  // it too sure by no more than the sum of 1 / m over ten sightings, which is 2.9.
+  const OdometryNoise noise{};
+  const Eigen::Vector3d sigma(0.02, 0.005, 0.03);
+  double sum = 0.0;
+  const int count = 200;
+  for (int seed = 0; seed < count; ++seed) {
+    DrivenRobot drive(static_cast<std::uint64_t>(seed) + 1);
+    DockFilter filter(noise, true);
+    Eigen::Vector3d shared = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 300; ++i) {
+      if (i % 30 == 0)
+        for (int k = 0; k < 3; ++k) shared(k) = sigma(k) * drive.random.Normal();
+      if (i % 3 == 0) {
+        DockFix fix = drive.Fix(Eigen::Vector3d::Zero());
+        const Eigen::Matrix3d R = RotZ(drive.X_OA.heading);
+        const Eigen::Vector3d error = R * shared;
+        fix.X_OD = {fix.X_OD.x + error.x(), fix.X_OD.y + error.y(), fix.X_OD.heading + error.z()};
+        fix.covariance = R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
+        filter.See({fix});
+      }
+      drive.Step(noise, 0.004, i < 150 ? 0.003 : -0.003, &filter);
+    }
+    const Eigen::Vector3d error = drive.Error(filter);
+    sum += error.dot(filter.covariance().inverse() * error);
+  }
+  std::printf("chi-square of 3: %.2f\n", sum / count);
+  EXPECT_LT(sum / count, 3.0 * 2.9);
+}
+
+TEST(DockFilter, IsNeverSurerThanTheErrorThatAllSightingsShare) {
+  const Eigen::Vector3d sigma(0.02, 0.005, 0.03);
+  DrivenRobot drive(4);
+  DockFilter filter({}, true);
+  for (int i = 0; i < 400; ++i) {
+    DockFix fix = drive.Fix(sigma);
+    fix.lasting = Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal();
+    filter.See({fix});
+    if (i % 4 == 0) drive.Step({}, 0.004, 0.0, &filter);
+  }
+  EXPECT_GT(filter.covariance()(2, 2), 1e-4);
+  EXPECT_LT(filter.covariance()(2, 2), 2e-4);
+}
+
+TEST(DockFilter, IsNotLedToTheFalseBranchByOneImageShownManyTimes) {
+  // The true branch fits a worn tag worse, alike in each image at rest.
+  const Eigen::Vector3d sigma(0.02, 0.005, 0.03);
+  DrivenRobot drive(6, 0.35);
+  DockFilter filter({}, true);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<DockFix> fixes = drive.Fixes(sigma);
+    fixes[1].misfit = 3.0;
+    filter.See(fixes);
+  }
+  EXPECT_TRUE(filter.open());
 }
 
 TEST(DockFilter, DecidesForTheTrueBranchOnceTheRobotHasMoved) {
