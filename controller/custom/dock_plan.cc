@@ -50,10 +50,19 @@ double DockPlan::Aside(const Pose2& X_DA) const {
   return travel * (Inverse(X_DA_docked) * Eigen::Vector2d(X_DA.x, X_DA.y)).y();
 }
 
+Pose2 DockPlan::OffDocked(const Pose2& X_DA) const {
+  return Inverse(X_DA_docked * X_AP) * (X_DA * X_AP);
+}
+
+void DockPlan::Shift(double left_m) {
+  X_DA_docked = X_DA_docked * Pose2{0.0, travel * left_m, 0.0};
+}
+
 Result<DockPlan, Refusal> PlanDocking(const Nominal& nominal, const Drive& drive) {
   DockPlan plan;
   const Pose2 X_DR = ToGround(nominal.X_DR_docked());
   plan.X_DA_docked = X_DR * drive.X_RA;
+  plan.X_AP = Inverse(drive.X_RA) * ToGround(nominal.X_RP);
   const double heading = plan.X_DA_docked.heading;
   plan.travel = std::abs(heading) > 0.5 * kPi ? 1.0 : -1.0;
   if (std::min(std::abs(heading), kPi - std::abs(heading)) > kOffAxis_rad)

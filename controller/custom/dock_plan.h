@@ -12,6 +12,7 @@ namespace dockyard::custom {
 /// A: drive.h.
 struct DockPlan {
   Pose2 X_DA_docked, X_DA_staging;
+  Pose2 X_AP;           // of the robot's frame that meets the dock's
   double travel = 1.0;  // into the dock: 1 forward, -1 backward
   // Of A in D at the staging pose where a camera measures the dock. It differs from that of the
   // docked pose if no camera sees the dock while the robot drives in.
@@ -22,6 +23,10 @@ struct DockPlan {
   /// From A to the docked pose along the path into the dock, and to the left of that path.
   double Left(const Pose2& X_DA) const;
   double Aside(const Pose2& X_DA) const;
+  /// P where the robot is, in P where it is docked.
+  Pose2 OffDocked(const Pose2& X_DA) const;
+  /// The docked pose is to the left of where it was, looking into the dock.
+  void Shift(double left_m);
 };
 
 /// Refuses a docked heading that does not point along x of D, and cameras that see no board from

@@ -16,7 +16,14 @@ constexpr Tick kKept = 5000;
 constexpr double kFailed_m = 0.02, kFailed_rad = Radians(2.0);
 // Turns that come about, over those of wheels without slip. Assumed, 0.2-0.5 and 1.1-1.5.
 constexpr double kLeastTurn = 0.3, kMostTurn = 1.2;
+// Where a contact stayed open the board or the pins are off their drawings, and the same approach
+// would miss again: the next ones aim to the left, to the right, and so on. Assumed, 3-8 mm.
+constexpr double kShift_m = 0.005;
 constexpr double kStagedNear_m = 0.05;  // a robot so near to the staging pose need not back off
+
+/// By how much the docked pose moves after the n-th contact that stayed open, from where it was:
+/// 1, -2, 3, ... shifts.
+double ShiftOf(int n) { return (n % 2 == 1 ? n : -n) * kShift_m; }
 
 Commands Braked(std::size_t motors) {
   Commands commands;
@@ -75,9 +82,17 @@ Twist Pilot::TryAgain(const std::string& why) {
     tries_.retries = options.retries;
     return Enter(Phase::kGivenUp, why + ", after " + std::to_string(options.retries) + " retries");
   }
-  const bool is_in = MayFollow(here_.phase, Phase::kBackOff);
+  if (here_.phase == Phase::kWait && parts_.contact.exists())
+    parts_.plan.Shift(ShiftOf(++tries_.opens));
   filter_.Loosen(kFailed_m, kFailed_rad);
-  if (is_in) tries_.back_m = options.staging_m - parts_.plan.Left(X_DA());
+  tries_.realigned = 0;
+  return LeaveDock(why);
+}
+
+/// Back to the staging pose, to measure the dock anew.
+Twist Pilot::LeaveDock(const std::string& why) {
+  const bool is_in = MayFollow(here_.phase, Phase::kBackOff);
+  if (is_in) tries_.back_m = parts_.nominal.docking.staging_m - parts_.plan.Left(X_DA());
   if (is_in && tries_.back_m > kStagedNear_m) return Enter(Phase::kBackOff, why);
   return Enter(Phase::kPerceive, why);
 }

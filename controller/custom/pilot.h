@@ -49,6 +49,8 @@ class Pilot final : public Controller {
     int retries = 0, stagings = 0, searches = 0;
     double searched_rad = 0.0;
     bool wiggled = false;
+    int opens = 0;              // contacts that stayed open
+    int realigned = 0;          // approaches that ended before the touch, off to the side
     double sense = 1.0;         // of the drive to the staging pose: 1 forward, -1 backward
     double back_m = 0.0;        // to back off
     double least_left_m = 0.0;  // on the approach
@@ -79,6 +81,7 @@ class Pilot final : public Controller {
   Twist TurnToward(double heading_D_rad, double within_rad, Phase next, const std::string& note);
   Twist Enter(Phase phase, const std::string& note);
   Twist TryAgain(const std::string& why);
+  Twist LeaveDock(const std::string& why);
   bool MarksAreLost() const;
   bool IsBlocked(double left_m);
   bool IsAtStaging() const;

@@ -16,6 +16,9 @@ constexpr double kBeyond_m = 0.1;
 // Near the docked pose a robot so far off its path cannot come onto it. Assumed, 3-10 cm, 10-20
 // deg.
 constexpr double kNear_m = 0.05, kMostAside_m = 0.05, kMostOff_rad = Radians(15.0);
+// An approach that is not aligned is driven anew, until it is this near. Assumed, 1-3; 5-20 mm.
+constexpr int kMostRealigned = 2;
+constexpr double kTouch_m = 0.01;
 // An estimate that is less sure across the path ends the try there, and at once where no camera
 // sees the dock on the path. Assumed, 10-30 cm; 2-5 cm, 3-8 deg.
 constexpr double kSure_m = 0.2;
@@ -25,14 +28,20 @@ constexpr Tick kLost = 3000;
 // A robot that came no nearer by this for this long is blocked by the dock. Assumed, 1-5 mm, 1-3 s.
 constexpr double kNearer_m = 0.002;
 constexpr Tick kBlocked = 1500;
-constexpr double kHeld_s = 1.0;         // of the closed contact, or at rest without one
-constexpr double kPressing_s = 0.5;     // to start; assumed, 0.2-1
-constexpr double kWiggle_rad_s = 0.2;   // assumed, 0.1-0.5
-constexpr double kMostWiggle_s = 2.0;   // of a turn that a dock may block; assumed, 1-5
-constexpr double kBackOff_share = 0.8;  // of the largest speed; assumed, 0.5-1
+constexpr double kHeld_s = 1.0;           // of the closed contact, or at rest without one
+constexpr double kPressing_s = 0.5;       // to start; assumed, 0.2-1
+constexpr double kWiggle_rad_s = 0.2;     // assumed, 0.1-0.5
+constexpr double kWigglePress_m = 0.003;  // assumed, 2-5 mm
+constexpr double kMostWiggle_s = 2.0;     // of a turn that a dock may block; assumed, 1-5
+constexpr double kBackOff_share = 0.8;    // of the largest speed; assumed, 0.5-1
 
 std::string Centimetres(double length_m) {
   return std::to_string(std::lround(100.0 * std::abs(length_m))) + " cm";
+}
+
+/// @param off  of the robot's docked frame from where it is to be
+bool IsAligned(const Pose2& off, const DockingOptions& options) {
+  return std::abs(off.y) <= options.aligned_m && std::abs(off.heading) <= options.aligned_rad;
 }
 
 }  // namespace
@@ -64,6 +73,11 @@ Twist Pilot::Control() {
   if (left_m < kNear_m && std::abs(aside_m) > kMostAside_m)
     return TryAgain("off the path by " + Centimetres(aside_m));
   if (left_m < kNear_m && off_rad > kMostOff_rad) return TryAgain("turned off the path");
+  if (left_m < kNear_m && left_m > kTouch_m && tries_.realigned < kMostRealigned &&
+      !IsAligned(plan.OffDocked(at), options)) {
+    ++tries_.realigned;
+    return LeaveDock("off the docked pose before it touches");
+  }
   const Eigen::Vector3d sigma = DockedSigma();
   const bool must_be_sure = plan.drives_blind || left_m < kSure_m;
   if (must_be_sure && (sigma.y() > kMostSigma_m || sigma.z() > kMostSigma_rad))
@@ -126,9 +140,11 @@ Twist Pilot::Wiggle() {
   const double side = here_.leg == 1 ? -1.0 : 1.0;
   if (side * (here_.turned_rad - end) >= 0.0 || here_.For(now_) > kMostWiggle_s * (here_.leg + 1)) {
     if (++here_.leg == static_cast<int>(ends.size())) return Enter(Phase::kWait, "wiggled");
-    return {parts_.plan.travel * options.press_m_s, 0.0};
+    return {};
   }
-  return {parts_.plan.travel * options.press_m_s, side * kWiggle_rad_s};
+  // It presses on by little: a dock that yields would be pushed away.
+  const bool presses = std::abs(here_.driven_m) < kWigglePress_m;
+  return {presses ? parts_.plan.travel * options.press_m_s : 0.0, side * kWiggle_rad_s};
 }
 
 Twist Pilot::BackOff() {

@@ -32,6 +32,9 @@ void VisitGraceful(Keys& keys, DockingOptions& docking) {
   keys.Integer({"retries", "", "new approaches"}, docking.retries, 0, 100);
   keys.Degrees({"wiggle_deg", "deg", "either side, as it presses on"}, docking.wiggle_rad,
                NonNegative(30.0));
+  keys.Number({"aligned_m", "m", "farther off aside, the robot backs off before it touches"},
+              docking.aligned_m, Positive(1.0));
+  keys.Degrees({"aligned_deg", "deg", "the same turned"}, docking.aligned_rad, Positive(90.0));
   keys.Number({"press_m", "m", "driven on beyond the docked pose"}, docking.press_m,
               NonNegative(0.5));
   keys.Number({"press_m_s", "m/s", "at which the robot touches and presses"}, docking.press_m_s,

@@ -62,6 +62,8 @@ void VisitMembers(O& options, const Visit& visit) {
   visit("wait_charge_s", options.wait_charge_s);
   visit("retries", options.retries);
   visit("wiggle_rad", options.wiggle_rad);
+  visit("aligned_m", options.aligned_m);
+  visit("aligned_rad", options.aligned_rad);
   visit("press_m", options.press_m);
   visit("press_m_s", options.press_m_s);
   visit("search_rad_s", options.search_rad_s);

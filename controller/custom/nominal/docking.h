@@ -23,7 +23,10 @@ struct DockingOptions {
   double wait_charge_s = 5.0;  // Nav2's wait_charge_timeout
   int retries = 3;             // Nav2's max_retries
   double wiggle_rad = 0.04;  // either side, with the wheels pressing on; assumed, 0.02-0.1; 0: none
-  double press_m = 0.02;     // driven on beyond the docked pose to press; assumed, 0-0.05
+  // A robot off the docked pose by more backs off before it touches. Assumed: half of what a flat
+  // contact allows, 3-8 mm and 1-4 deg.
+  double aligned_m = 0.004, aligned_rad = 0.035;
+  double press_m = 0.02;  // driven on beyond the docked pose to press; assumed, 0-0.05
 
   double press_m_s = 0.03;    // speed at which the robot touches and presses; assumed, 0.01-0.1
   double search_rad_s = 0.4;  // turning in place to find the dock; assumed, 0.2-0.8

@@ -25,6 +25,19 @@ TEST(DockPlan, DrivesForwardWithACameraAhead) {
   EXPECT_NEAR(plan.Aside({0.5, 0.1, kPi}), -0.1, 1e-12);  // the path runs along -x, its left is -y
 }
 
+TEST(DockPlan, ShiftsTheDockedPoseToTheLeftOfThePath) {
+  for (const bool backward : {false, true}) {
+    TestRobot robot;
+    robot.docks_backward = robot.rear_camera = backward;
+    DockPlan plan = PlanOf(robot);
+    const Pose2 docked = plan.X_DA_docked;
+    EXPECT_NEAR(plan.OffDocked(docked).y, 0.0, 1e-12);
+    plan.Shift(0.005);
+    EXPECT_NEAR(plan.Aside(docked), -0.005, 1e-12);  // it lies to the right of the new one
+    EXPECT_NEAR(plan.X_DA_docked.y, -0.005, 1e-12);  // the path runs along -x
+  }
+}
+
 TEST(DockPlan, PlacesTheMiddleOfTheAxleNotTheRobotsOrigin) {
   TestRobot robot;
   robot.axle_x_m = 0.1;

@@ -153,8 +153,35 @@ TEST(DockingCases, RetriesAsOftenAsAllowedAndClaimsNoOpenContact) {
   const Nominal nominal = NominalOf();
   const KinematicRun run = RunKinematic(nominal, world);
   EXPECT_EQ(run.verdict, Verdict::kGivenUp);
-  EXPECT_EQ(std::count(run.phases.begin(), run.phases.end(), "back_off"), nominal.docking.retries);
+  EXPECT_EQ(ValueOf(run.belief, "retries", 0.0), nominal.docking.retries);
+  EXPECT_GE(std::count(run.phases.begin(), run.phases.end(), "back_off"), nominal.docking.retries);
   EXPECT_THAT(run.belief.note, HasSubstr("the contact stays open, after 3 retries"));
+}
+
+TEST(DockingCases, BacksOffBeforeItTouchesWhileItIsNotAlignedButNotForEver) {
+  Nominal nominal = NominalOf();
+  nominal.docking.aligned_m = 1e-6;
+  const KinematicRun run = RunKinematic(nominal, {});
+  EXPECT_EQ(run.verdict, Verdict::kDone) << run.belief.note;
+  EXPECT_EQ(std::count(run.phases.begin(), run.phases.end(), "back_off"), 2);
+  EXPECT_EQ(std::count(run.phases.begin(), run.phases.end(), "wait_for_charge"), 1);
+  EXPECT_EQ(ValueOf(run.belief, "retries", 0.0), 0.0);
+}
+
+TEST(DockingCases, AimsToEitherSideWhereTheBoardIsOffItsDrawing) {
+  for (const double board_aside_m : {-0.0105, 0.0105}) {
+    int docked = 0, at_once = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      KinematicWorld world;
+      world.seed = seed;
+      world.board_aside_m = board_aside_m;  // the contact closes within 8 mm
+      const KinematicRun run = RunKinematic(NominalOf(), world);
+      docked += run.verdict == Verdict::kDone && run.closed;
+      at_once += ValueOf(run.belief, "retries", 0.0) == 0.0;
+    }
+    EXPECT_GE(docked, 18) << board_aside_m;
+    EXPECT_LE(at_once, 10) << board_aside_m;
+  }
 }
 
 TEST(DockingCases, StaysWithoutACommandOnceDocked) {

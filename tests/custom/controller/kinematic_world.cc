@@ -79,7 +79,8 @@ class World {
   std::vector<BoardSighting> Perceive(const CameraImage& image) {
     BoardSighting sighting{.exposed = image.exposed};
     const Pose3 X_DR = FromGround(truth_.at(image.exposed), nominal_.height_m);
-    const Pose3 X_CB = Inverse(X_DR * nominal_.cameras[0].X_RC) * nominal_.boards[0].X_DB;
+    const Pose3 X_CB = Inverse(X_DR * nominal_.cameras[0].X_RC) *
+                       Pose3::Translation(0.0, world_.board_aside_m, 0.0) * nominal_.boards[0].X_DB;
     const double r = X_CB.p.norm();
     const auto pixel = nominal_.cameras[0].camera.Project(X_CB.p);
     const double half_px =

@@ -28,9 +28,10 @@ struct KinematicWorld {
   bool mirrored = true;                   // each sighting has the false branch, too
   bool camera_answers = true;
   std::function<bool(double time_s, double range_m)> marks_show{};  // empty: always
-  double contact_m = 0.008;  // the contact closes within this of the docked place
-  double stop_m = 0.003;     // beyond which the dock stops the robot
-  bool stalls = false;       // there the motors stop, too; else the wheels slip
+  double board_aside_m = 0.0;  // the board off its drawing, along y of D
+  double contact_m = 0.008;    // the contact closes within this of the docked place
+  double stop_m = 0.003;       // beyond which the dock stops the robot
+  bool stalls = false;         // there the motors stop, too; else the wheels slip
   // The contact closes only at the second touch, after a turn by this with wheels pressing.
   double wiggle_rad = 0.0;
 };
