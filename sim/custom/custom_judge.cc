@@ -12,13 +12,13 @@ constexpr double kSettle_s = 0.5;
 }  // namespace
 
 CustomJudge::CustomJudge(CustomPlant& plant)
-    : plant_(plant), keys_(plant.built().judge), X_DR_last_(ToGround(plant.truth().X_DR)) {}
+    : plant_(plant), keys_(plant.built().judge), X_GR_last_(ToGround(plant.truth().X_GR)) {}
 
 void CustomJudge::Observe() {
   const Truth& truth = plant_.truth();
-  const Pose2 now = ToGround(truth.X_DR);
-  measures_.driven_m += std::hypot(now.x - X_DR_last_.x, now.y - X_DR_last_.y);
-  X_DR_last_ = now;
+  const Pose2 now = ToGround(truth.X_GR);
+  measures_.driven_m += std::hypot(now.x - X_GR_last_.x, now.y - X_GR_last_.y);
+  X_GR_last_ = now;
   const ContactTruth* contact = plant_.Contact(keys_.docked.contact.pins);
   was_closed_ = was_closed_ || (contact != nullptr && contact->closed);
 }

@@ -31,7 +31,7 @@ class CustomJudge final : public Judge {
   CustomPlant& plant_;
   const JudgeKeys& keys_;
   CustomMeasures measures_;
-  Pose2 X_DR_last_;
+  Pose2 X_GR_last_;
   bool was_closed_ = false;
 };
 

@@ -21,8 +21,9 @@ struct Truth {
   double time_s = 0.0;
   std::vector<Pose3> X_WL, X_WK;  // links of the robot, and of the dock; the roots first
   Eigen::Vector3d v_WR_W{0, 0, 0}, w_WR_W{0, 0, 0};
-  Pose3 X_DR;  // D: the dock's nominal place
+  Pose3 X_DR;  // D: the dock's root link now
   Pose3 X_QP;  // the robot's frame P in the dock's frame Q, which meet when docked
+  Pose3 X_GR;  // G: the dock's nominal place
   double speed_m_s = 0.0, turning_rad_s = 0.0;  // of the robot's root, against the ground
   std::vector<MotorTruth> motors;
   std::vector<double> wheel_load_n, wheel_slip;

@@ -246,7 +246,8 @@ Truth World::truth() const {
   const LinkMotion& root = robot_.Motion(world_, 0);
   truth.v_WR_W = X_WG_.R * root.v_GL_G;
   truth.w_WR_W = X_WG_.R * root.w_GL_G;
-  truth.X_DR = root.X_GL;
+  truth.X_GR = root.X_GL;
+  truth.X_DR = Inverse(dock_.Motion(world_, 0).X_GL) * root.X_GL;
   truth.speed_m_s = root.v_GL_G.norm();
   truth.turning_rad_s = root.w_GL_G.norm();
   truth.tilt_rad = TiltOf(root.X_GL.R);

@@ -75,14 +75,14 @@ TEST_P(WheeledKind, TurnsOnTheSpot) {
   const RobotModel robot = Load(kind.text());
   World world(SetupOf(robot));
   RunFor(world, 1.0, Drive(robot, -0.1, 0.1));
-  const double before = ToGround(world.truth().X_DR).heading;
-  const Eigen::Vector3d place = world.truth().X_DR.p;
+  const double before = ToGround(world.truth().X_GR).heading;
+  const Eigen::Vector3d place = world.truth().X_GR.p;
   RunFor(world, 1.5, Drive(robot, -0.1, 0.1));
-  const double turned = WrapPi(ToGround(world.truth().X_DR).heading - before);
+  const double turned = WrapPi(ToGround(world.truth().X_GR).heading - before);
   const double without_slip = 1.5 * 0.2 / kind.track_m;
   EXPECT_LT(turned, 1.02 * without_slip);
   EXPECT_GT(turned, kind.least_turn * without_slip);
-  EXPECT_LT((world.truth().X_DR.p - place).norm(), 0.03);
+  EXPECT_LT((world.truth().X_GR.p - place).norm(), 0.03);
 }
 
 TEST_P(WheeledKind, NeedsAFileOf40LinesAtMost) {
