@@ -25,7 +25,7 @@ struct DockPlan {
   double Aside(const Pose2& X_DA) const;
   /// P where the robot is, in P where it is docked.
   Pose2 OffDocked(const Pose2& X_DA) const;
-  /// The docked pose is to the left of where it was, looking into the dock.
+  /// Moves the docked pose to the left of the path into the dock.
   void Shift(double left_m);
 };
 

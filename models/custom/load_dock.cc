@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "models/custom/take_wheels.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
 #include "models/read/load_contact.h"
@@ -11,6 +12,7 @@
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_pins.h"
 #include "models/read/load_spreads.h"
+#include "models/read/near_names.h"
 #include "models/read/other_kind.h"
 #include "models/read/urdf.h"
 #include "models/read/yaml_reader.h"
@@ -155,15 +157,13 @@ void ScalePrint(double scale, FiducialBoard& board) {
   }
 }
 
-std::string PlaceOf(const YamlReader& in, std::size_t i) {
-  return in.List("boards", 0, kMostBoards).items[i].place.Text() + ": " +
-         YamlReader::PathOf(in.PathOf("boards"), i) + ".link";
-}
-
 void TakeBoards(const YamlReader& in, const DockFile& file, DockModel& dock) {
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < file.boards.size(); ++i) {
     const BoardFile& each = file.boards[i];
-    const NamedFrame& frame = RequireFrame(dock.tree, each.link, PlaceOf(in, i));
+    TakeName(each.name, PlaceInList(in, "boards", i, "name"), names);
+    const NamedFrame& frame =
+        RequireFrame(dock.tree, each.link, PlaceInList(in, "boards", i, "link"));
     BoardFit fit{.name = each.name,
                  .board = LoadBoard(each.file).board,
                  .link = frame.link,

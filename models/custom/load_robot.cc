@@ -51,6 +51,16 @@ void TakeMotors(const YamlReader& in, const RobotFile& file, RobotModel& robot) 
   }
 }
 
+void TakeNames(const YamlReader& in, const RobotFile& file) {
+  std::vector<std::string> cameras, sensors;
+  for (std::size_t i = 0; i < file.cameras.size(); ++i)
+    TakeName(file.cameras[i].camera.name, PlaceInList(in, "cameras", i, "name"), cameras);
+  for (std::size_t i = 0; i < file.switches.size(); ++i)
+    TakeName(file.switches[i].name, PlaceInList(in, "switches", i, "name"), sensors);
+  for (std::size_t i = 0; i < file.ranges.size(); ++i)
+    TakeName(file.ranges[i].finder.name, PlaceInList(in, "range_finders", i, "name"), sensors);
+}
+
 void TakeSensors(const YamlReader& in, const RobotFile& file, RobotModel& robot) {
   for (std::size_t i = 0; i < file.switches.size(); ++i) {
     const SwitchFile& each = file.switches[i];
@@ -123,6 +133,7 @@ RobotModel ReadRobotFile(const std::string& path, const ModelChanges& changes, M
   ScaleMass(file.mass_scale, robot.tree);
   TakeWheels(in, urdf, file, robot);
   TakeMotors(in, file, robot);
+  TakeNames(in, file);
   TakeSensors(in, file, robot);
   robot.electrical =
       TakePins(in, file.pins, [&](const std::string& name, const std::string& place) {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <system_error>
 
+#include "models/read/config_error.h"
+
 namespace dockyard {
 namespace {
 
@@ -110,6 +112,12 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& k
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known) {
   const std::string longer = OnlyLonger(name, known);
   return Question(longer.empty() ? NearestName(name, known) : longer);
+}
+
+void TakeName(const std::string& name, const std::string& place, std::vector<std::string>& taken) {
+  if (std::find(taken.begin(), taken.end(), name) != taken.end())
+    throw ConfigError(place + ": expected a name of its own, found a second '" + name + "'");
+  taken.push_back(name);
 }
 
 std::string NearFile(const fs::path& path) {

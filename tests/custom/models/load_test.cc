@@ -59,6 +59,12 @@ TEST(LoadRobot, RefusesNamesThatTheUrdfDoesNotHave) {
               HasSubstr("did you mean 'contacts'"));
 }
 
+TEST(LoadRobot, RefusesTwoSensorsOfOneName) {
+  EXPECT_THAT(Refusal("range_finders: [{name: a, link: contacts, most_m: 2}, "
+                      "{name: a, link: contacts, most_m: 3}]"),
+              HasSubstr("range_finders[1].name: expected a name of its own, found a second 'a'"));
+}
+
 TEST(LoadDock, ScalesPrintAndMass) {
   const YamlNode built = ParseYaml(
       "{mass_scale: {times: 1.5}, boards: [{name: tag, file: " + ChargerFile("dock/tag.yaml") +
