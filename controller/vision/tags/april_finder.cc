@@ -28,15 +28,15 @@ constexpr int kLeastContrast = 12;
 // Pixels of an outline: those of a tag of 8 px. Assumed, 12-24.
 constexpr int kLeastOutline_px = 16;
 
-/// Grey levels on a scale on which half the light is nearly the same step everywhere. The library
-/// takes the middle between the darkest and the lightest pixel nearby for the threshold, so a white
-/// square in the shade counts as black next to a lit one: on this scale it does not.
-std::array<std::uint8_t, 256> Tones() {
-  constexpr double kDark = 32.0;  // darker levels, which are noise, are stretched no more
+/// Grey levels on a scale on which a share of the light is nearly the same step everywhere. The
+/// library takes the middle between the darkest and the lightest pixel nearby for the threshold, so
+/// a white square in the shade counts as black next to a lit one: on this scale it does not.
+/// @param dark  darker levels are stretched no more
+std::array<std::uint8_t, 256> Tones(double dark) {
   constexpr double kFull = 255.0;
   std::array<std::uint8_t, 256> tones{};
   for (std::size_t grey = 0; grey < tones.size(); ++grey) {
-    const double share = std::log1p(static_cast<double>(grey) / kDark) / std::log1p(kFull / kDark);
+    const double share = std::log1p(static_cast<double>(grey) / dark) / std::log1p(kFull / dark);
     tones[grey] = static_cast<std::uint8_t>(std::lround(kFull * share));
   }
   return tones;
@@ -60,11 +60,17 @@ std::vector<FoundTag> AprilFinder::Find(const GrayImage& image) const {
   if (image.width < kLeastSide_px || image.height < kLeastSide_px) return {};
   std::vector<FoundTag> found = FindIn(image.width, image.height, image.pixels);
   if (!found.empty()) return found;
-  static const std::array<std::uint8_t, 256> tones = Tones();
-  std::vector<std::uint8_t> toned;
-  toned.reserve(image.pixels.size());
-  for (const std::uint8_t pixel : image.pixels) toned.push_back(tones[pixel]);
-  return FindIn(image.width, image.height, std::move(toned));
+  // The first suffices where a shade leaves half of the light, the second, which stretches noise
+  // too, where it leaves a quarter.
+  static const std::array<std::array<std::uint8_t, 256>, 2> scales{Tones(32.0), Tones(5.0)};
+  for (const std::array<std::uint8_t, 256>& tones : scales) {
+    std::vector<std::uint8_t> toned;
+    toned.reserve(image.pixels.size());
+    for (const std::uint8_t pixel : image.pixels) toned.push_back(tones[pixel]);
+    found = FindIn(image.width, image.height, std::move(toned));
+    if (!found.empty()) break;
+  }
+  return found;
 }
 
 std::vector<FoundTag> AprilFinder::FindIn(int width, int height,

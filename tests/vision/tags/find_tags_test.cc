@@ -141,6 +141,25 @@ TEST(FoundTag, UnderTheEdgeOfAShadeHasItsCornersToTheirPrediction) {
   EXPECT_LT(ratio, 3.0);
 }
 
+TEST(FoundTag, IsThereWhereAShadeLeavesThreeTenthsOfTheLight) {
+  StereoRenderer renderer;
+  const Camera camera = Pinhole(640, 480, Radians(75));
+  const FiducialBoard board = OneTag("tag36h11", 7, 0.1);
+  const TagFinder finder("tag36h11");
+  int found = 0;
+  constexpr int kViews = 16;
+  for (int i = 0; i < kViews; ++i) {
+    const TagPlace place{.range_m = 1.6, .yaw_rad = Radians(2.0 * i), .roll_rad = Radians(i)};
+    TagImage view = RenderTags(renderer, board, camera, place, static_cast<std::uint64_t>(i + 1));
+    const auto truth = TrueCorners(view, board.tags[0]);
+    // Its edge is along the tag's left side, and the whole image is as dark as one of a lit wall.
+    view.image = Shaded(view.image, 0.5 * (truth[0] + truth[3]), 0.0, 4.0, 0.3);
+    for (std::uint8_t& grey : view.image.pixels) grey = static_cast<std::uint8_t>(0.6 * grey);
+    found += finder.Find(view.image, &camera).size() == 1u;
+  }
+  EXPECT_GE(found, kViews - 2);
+}
+
 TEST(FoundTag, OfAWornAndDustyBoardIsStillThere) {
   StereoRenderer renderer;
   const Camera camera = Pinhole(640, 480, Radians(75));
