@@ -32,14 +32,38 @@ constexpr int kLeastOutline_px = 16;
 /// library takes the middle between the darkest and the lightest pixel nearby for the threshold, so
 /// a white square in the shade counts as black next to a lit one: on this scale it does not.
 /// @param dark  darker levels are stretched no more
-std::array<std::uint8_t, 256> Tones(double dark) {
+GrayImage Toned(GrayImage image, double dark) {
   constexpr double kFull = 255.0;
   std::array<std::uint8_t, 256> tones{};
   for (std::size_t grey = 0; grey < tones.size(); ++grey) {
     const double share = std::log1p(static_cast<double>(grey) / dark) / std::log1p(kFull / dark);
     tones[grey] = static_cast<std::uint8_t>(std::lround(kFull * share));
   }
-  return tones;
+  for (std::uint8_t& pixel : image.pixels) pixel = tones[pixel];
+  return image;
+}
+
+/// Means of squares of pixels; those of a last part of a square are left out.
+GrayImage Reduced(const GrayImage& image, int factor) {
+  GrayImage small{image.width / factor, image.height / factor, {}};
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      int sum = factor * factor / 2;
+      for (int i = 0; i < factor * factor; ++i)
+        sum += image.at(factor * x + i % factor, factor * y + i / factor);
+      small.pixels.push_back(static_cast<std::uint8_t>(sum / (factor * factor)));
+    }
+  }
+  return small;
+}
+
+/// Corners of a reduced image in the whole one.
+std::vector<FoundTag> Enlarged(std::vector<FoundTag> tags, int factor) {
+  for (FoundTag& tag : tags) {
+    for (Eigen::Vector2d& corner : tag.corners)
+      corner = (factor * (corner.array() + 0.5) - 0.5).matrix();
+  }
+  return tags;
 }
 
 }  // namespace
@@ -58,24 +82,25 @@ AprilFinder::AprilFinder(const std::string& name)
 
 std::vector<FoundTag> AprilFinder::Find(const GrayImage& image) const {
   if (image.width < kLeastSide_px || image.height < kLeastSide_px) return {};
-  std::vector<FoundTag> found = FindIn(image.width, image.height, image.pixels);
-  if (!found.empty()) return found;
-  // The first suffices where a shade leaves half of the light, the second, which stretches noise
-  // too, where it leaves a quarter.
-  static const std::array<std::array<std::uint8_t, 256>, 2> scales{Tones(32.0), Tones(5.0)};
-  for (const std::array<std::uint8_t, 256>& tones : scales) {
-    std::vector<std::uint8_t> toned;
-    toned.reserve(image.pixels.size());
-    for (const std::uint8_t pixel : image.pixels) toned.push_back(tones[pixel]);
-    found = FindIn(image.width, image.height, std::move(toned));
-    if (!found.empty()) break;
+  std::vector<FoundTag> found = FindIn(image);
+  // Worn ink breaks the outline of a near tag and spoils readings at single pixels.
+  for (const int factor : {2, 4}) {
+    if (found.empty()) found = Enlarged(FindIn(Reduced(image, factor)), factor);
+  }
+  // The first scale suffices where a shade leaves half of the light, the second, which stretches
+  // noise too, where it leaves a quarter.
+  for (const double dark : {32.0, 5.0}) {
+    if (found.empty()) found = FindIn(Toned(image, dark));
   }
   return found;
 }
 
-std::vector<FoundTag> AprilFinder::FindIn(int width, int height,
-                                          std::vector<std::uint8_t> pixels) const {
-  image_u8_t view{.width = width, .height = height, .stride = width, .buf = pixels.data()};
+std::vector<FoundTag> AprilFinder::FindIn(GrayImage image) const {
+  if (image.width < kLeastSide_px || image.height < kLeastSide_px) return {};
+  image_u8_t view{.width = image.width,
+                  .height = image.height,
+                  .stride = image.width,
+                  .buf = image.pixels.data()};
   zarray_t* detections = apriltag_detector_detect(detector_.get(), &view);
   std::vector<FoundTag> found;
   for (int i = 0; i < zarray_size(detections); ++i) {

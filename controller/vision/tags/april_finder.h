@@ -1,7 +1,6 @@
 // Internal to the tags room. Tags by libapriltag.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,12 +15,12 @@ class AprilFinder {
  public:
   /// @param name  one of AprilFamilyNames
   explicit AprilFinder(const std::string& name);
-  /// Tags that plain grey levels show; where these show none, those of a scale that a shade's edge
-  /// confuses less, but small oblique tags more.
+  /// Tags in the image as it is. Where it shows none: in smaller ones, then on scales of grey that
+  /// the edge of a shade confuses less, but small oblique tags more.
   std::vector<FoundTag> Find(const GrayImage& image) const;
 
  private:
-  std::vector<FoundTag> FindIn(int width, int height, std::vector<std::uint8_t> pixels) const;
+  std::vector<FoundTag> FindIn(GrayImage image) const;
 
   AprilFamily family_;
   std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t*)> detector_;

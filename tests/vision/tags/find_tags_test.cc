@@ -160,6 +160,25 @@ TEST(FoundTag, IsThereWhereAShadeLeavesThreeTenthsOfTheLight) {
   EXPECT_GE(found, kViews - 2);
 }
 
+TEST(FoundTag, IsThereFromNearWithATwentiethOfItsInkGone) {
+  StereoRenderer renderer;
+  const Camera camera = Pinhole(640, 480, Radians(69));
+  const TagFinder finder("tag36h11");
+  int found = 0;
+  constexpr int kPrints = 24;
+  for (int i = 0; i < kPrints; ++i) {
+    BoardView printed{.board = OneTag("tag36h11", 7, 0.1), .X_WB = {}, .dusty_spots = {}};
+    printed.wear = 0.05;
+    printed.wear_seed = static_cast<std::uint64_t>(i + 1);
+    const TagImage view = RenderTags(renderer, printed, camera, {.range_m = 0.25}, 1);
+    const std::vector<FoundTag> tags = finder.Find(view.image, &camera);
+    if (tags.empty()) continue;
+    ++found;
+    EXPECT_LT(WorstOff(tags[0].corners, TrueCorners(view, printed.board.tags[0])), 0.2) << i;
+  }
+  EXPECT_EQ(found, kPrints);
+}
+
 TEST(FoundTag, OfAWornAndDustyBoardIsStillThere) {
   StereoRenderer renderer;
   const Camera camera = Pinhole(640, 480, Radians(75));
