@@ -23,7 +23,9 @@ Result<Contact, Refusal> Contact::Of(const Nominal& nominal) {
     return Refusal{"contact " + nominal.contact + ": expected a sensor " + voltage + " or " +
                    closed};
   if (contact.is_voltage_ && !(contact.nominal_v_ > 0.0))
-    return Refusal{"contact " + nominal.contact + ": expected a voltage above zero"};
+    return Refusal{"contact " + nominal.contact +
+                   ": expected a voltage above zero: a source of this contact, " +
+                   "under supplies of the dock's or the robot's file"};
   return contact;
 }
 

@@ -46,6 +46,8 @@ class Wheels:
     def motors(self, forward_m_s, turn_rad_s, others=None):
         """Commands for all motors; those that move no wheel brake, or are as `others` has them by
         their number."""
+        if not (math.isfinite(forward_m_s) and math.isfinite(turn_rad_s)):
+            raise ValueError("speeds: expected finite numbers, found %s and %s" % (forward_m_s, turn_rad_s))
         motors = [(others or {}).get(i, Motor()) for i in range(len(self.drives))]
         for wheel in self.wheels:
             fx, fy = self._forward(wheel)

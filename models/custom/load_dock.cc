@@ -55,8 +55,8 @@ void VisitBoardFit(Keys& keys, BoardFile& board) {
   keys.Text({"link", "", "of the URDF file, on which it is", kRequired}, board.link);
   keys.Vector3({"middle_m", "m", "its middle in the link's frame", kRequired}, board.middle_L,
                Between(-10.0, 10.0));
-  keys.Degrees({"yaw_deg", "deg", "its normal from the link's x axis, about z"}, board.turn.yaw,
-               Between(-180.0, 180.0));
+  keys.Degrees({"yaw_deg", "deg", "where it faces: 0 along the link's x axis, 90 along its y axis"},
+               board.turn.yaw, Between(-180.0, 180.0));
   keys.Degrees({"pitch_deg", "deg", "the same, down positive"}, board.turn.pitch,
                Between(-90.0, 90.0));
   keys.Degrees({"roll_deg", "deg", "about its normal"}, board.turn.roll, Between(-180.0, 180.0));

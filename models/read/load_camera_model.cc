@@ -33,19 +33,24 @@ CameraErrors CalibratedErrors() {
 }
 
 void VisitLens(Keys& keys, CameraFile& file) {
-  keys.File(Unset("file"), file.lens);
+  keys.File(
+      {"file", "", "a calibration (cameras.md), in place of a field of view", Presence::kUnset},
+      file.lens);
   const bool own = file.lens.empty();
   keys.Allow("field_of_view_deg", own, "no such key next to file, which sets it");
   keys.Allow("file_camera", !own, "a file next to it");
-  keys.Text(Unset("file_camera"), file.lens_name);
-  keys.Degrees(keys.NeededIf(own, "field_of_view_deg"), file.field_of_view_rad,
-               Between(10.0, 200.0));
-  const auto side = [&](const char* name, int& pixels, bool needed) {
-    const Key key = keys.reads() && needed ? Key(name) : Optional(name);
-    keys.Integer(key, pixels, 1, kMostImagePixels);
+  keys.Text({"file_camera", "", "which camera of that file", Presence::kUnset}, file.lens_name);
+  Key view = keys.NeededIf(own, "field_of_view_deg");
+  view.unit = "deg";
+  view.meaning = "across the width; up to 100 a pinhole, wider ones equidistant";
+  keys.Degrees(view, file.field_of_view_rad, Between(10.0, 200.0));
+  const auto side = [&](const char* name, const char* meaning, int& pixels, bool needed) {
+    keys.Integer(
+        {name, "px", meaning, keys.reads() && needed ? Presence::kRequired : Presence::kDefault},
+        pixels, 1, kMostImagePixels);
   };
-  side("width_px", file.width_px, own);
-  side("height_px", file.height_px, own || file.width_px > 0);
+  side("width_px", "of its images; required without a file, which has its own", file.width_px, own);
+  side("height_px", "the same", file.height_px, own || file.width_px > 0);
   keys.Check("height_px", (file.width_px > 0) == (file.height_px > 0), "a width_px next to it");
 }
 
@@ -78,21 +83,30 @@ CameraFile::CameraFile() {
 
 void VisitCamera(Keys& keys, CameraFile& file) {
   CameraModel& camera = file.camera;
-  keys.Text("name", camera.name);
-  keys.Text("link", camera.link);
+  keys.Text({"name", "", "of its own among the cameras", Presence::kRequired}, camera.name);
+  keys.Text({"link", "", "of the URDF file, which carries it", Presence::kRequired}, camera.link);
   VisitLens(keys, file);
   constexpr const char* kPlaces[] = {"x_m", "y_m", "z_m"};
-  for (int i = 0; i < 3; ++i) keys.Number(Optional(kPlaces[i]), file.p_LC[i], Between(-10, 10));
-  keys.Degrees(Optional("roll_deg"), file.turn.roll, Between(-180.0, 180.0));
-  keys.Degrees(Optional("pitch_deg"), file.turn.pitch, Between(-90.0, 90.0));
-  keys.Degrees(Optional("yaw_deg"), file.turn.yaw, Between(-180.0, 180.0));
-  keys.Choice(Optional("link_axes"), file.axes, {"forward", "optical"});
-  keys.Bool(Optional("colour"), camera.colour);
-  keys.Number(Optional("rate_hz"), file.rate_hz, Between(0.01, kMostRate_hz));
-  keys.Number(Optional("latency_s"), camera.latency_s, NonNegative(5.0));
+  for (int i = 0; i < 3; ++i)
+    keys.Number({kPlaces[i], "m", "its place in the link's frame"}, file.p_LC[i], Between(-10, 10));
+  keys.Degrees({"roll_deg", "deg", "about its line of sight"}, file.turn.roll,
+               Between(-180.0, 180.0));
+  keys.Degrees({"pitch_deg", "deg", "of its line of sight, down positive"}, file.turn.pitch,
+               Between(-90.0, 90.0));
+  keys.Degrees({"yaw_deg", "deg", "the same about z, to the left positive"}, file.turn.yaw,
+               Between(-180.0, 180.0));
+  keys.Choice(
+      {"link_axes", "", "the view is along the link's x (forward), or its z with y down (optical)"},
+      file.axes, {"forward", "optical"});
+  keys.Bool({"colour", "", "images in red, green and blue, else grey"}, camera.colour);
+  keys.Number({"rate_hz", "Hz", "of images, at most"}, file.rate_hz, Between(0.01, kMostRate_hz));
+  keys.Number({"latency_s", "s", "from an exposure to the image's arrival"}, camera.latency_s,
+              NonNegative(5.0));
   keys.Mapping(Unset("as_built"), [&](Keys& in) {
-    in.Degrees(Optional("rotation_deg"), camera.errors.rotation_sigma_rad, NonNegative(5.0));
-    in.Number(Optional("place_m"), camera.errors.place_sigma_m, NonNegative(0.1));
+    in.Degrees({"rotation_deg", "deg", "of its mounting, 1 sigma about each axis"},
+               camera.errors.rotation_sigma_rad, NonNegative(5.0));
+    in.Number({"place_m", "m", "of its mounting, 1 sigma along each axis"},
+              camera.errors.place_sigma_m, NonNegative(0.1));
     VisitLensErrors(in, camera.errors.lens, Presence::kDefault);
   });
   keys.Mapping(Unset("sensor"), [&](Keys& in) {

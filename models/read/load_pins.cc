@@ -14,8 +14,9 @@ void VisitPlace(Keys& keys, const char* key, const char* meaning, Eigen::Vector3
 }
 
 void VisitDirection(Keys& keys, double& yaw_rad, double& pitch_rad) {
-  keys.Degrees({"yaw_deg", "deg", "its direction from the link's x axis, about z"}, yaw_rad,
-               Between(-180.0, 180.0));
+  keys.Degrees(
+      {"yaw_deg", "deg", "where it points or faces: 0 along the link's x axis, 90 along y"},
+      yaw_rad, Between(-180.0, 180.0));
   keys.Degrees({"pitch_deg", "deg", "the same, down positive"}, pitch_rad, Between(-90.0, 90.0));
 }
 
@@ -44,6 +45,7 @@ void VisitPin(Keys& keys, PinsFile::Pin& file) {
   keys.Number({"damping_ns_per_m", "N s/m", "of the plunger in its barrel"}, pin.damping_ns_per_m,
               NonNegative(1e4));
   keys.Check("last_n", pin.last_n > pin.first_n, "more than first_n");
+  keys.Check("closes_n", pin.closes_n < pin.last_n, "less than last_n, or it never closes");
 }
 
 void VisitPad(Keys& keys, PinsFile::Pad& file) {

@@ -1,6 +1,7 @@
 #include "models/read/urdf_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -71,11 +72,22 @@ class XmlCheck {
     }
   }
 
+  /// More than a turn is one in degrees.
+  void CheckTurns(const TiXmlElement& element, const std::string& name,
+                  const std::vector<double>& numbers) const {
+    constexpr double kTurn_rad = 6.2832;
+    const bool turns = std::any_of(numbers.begin(), numbers.end(),
+                                   [](double angle) { return std::abs(angle) > kTurn_rad; });
+    if (name != "rpy" || !turns) return;
+    faults_.Add(element, std::string("rpy: expected angles in radians, up to a turn, found '") +
+                             element.Attribute("rpy") + "'");
+  }
+
   void CheckList(const TiXmlElement& element, const std::string& name, std::size_t count) const {
     const char* attribute = element.Attribute(name.c_str());
     if (attribute == nullptr) return;
     const std::optional<std::vector<double>> numbers = NumbersOf(attribute);
-    if (numbers && numbers->size() == count) return;
+    if (numbers && numbers->size() == count) return CheckTurns(element, name, *numbers);
     const std::string expected = count == 1 ? "a number" : std::to_string(count) + " numbers";
     faults_.Add(element, name + ": expected " + expected + ", found '" +
                              std::string(attribute).substr(0, 60) + "'");

@@ -4,19 +4,29 @@ namespace dockyard {
 namespace {
 
 void VisitExposure(Keys& keys, ExposureModel& exposure) {
-  keys.Choice(Optional("rule"), exposure.rule, {"automatic", "fixed", "bracketed"});
-  keys.Number(Optional("percent"), exposure.percent, Between(0.01, 99.0));
-  keys.Number(Optional("level"), exposure.level, Between(0.01, 1.0));
-  keys.Number(Optional("bracket_stops"), exposure.bracket_stops, Positive(8.0));
-  keys.Number(keys.NeededIf(exposure.rule == ExposureRule::kFixed, "fixed_e"), exposure.fixed_e,
-              Positive(1e9));
+  keys.Choice({"rule", "", "by the image before, always the same, or in steps about it"},
+              exposure.rule, {"automatic", "fixed", "bracketed"});
+  keys.Number({"percent", "%", "of automatic: of the pixels, those brighter than level"},
+              exposure.percent, Between(0.01, 99.0));
+  keys.Number({"level", "", "of automatic: a share of the full well"}, exposure.level,
+              Between(0.01, 1.0));
+  keys.Number({"bracket_stops", "", "of bracketed: stops from exposure to exposure"},
+              exposure.bracket_stops, Positive(8.0));
+  Key fixed = keys.NeededIf(exposure.rule == ExposureRule::kFixed, "fixed_e");
+  fixed.unit = "electrons";
+  fixed.meaning = "of fixed: of a white surface in full light";
+  keys.Number(fixed, exposure.fixed_e, Positive(1e9));
 }
 
 void VisitFocus(Keys& keys, FocusModel& focus) {
-  keys.Number("focal_length_m", focus.focal_length_m, Between(1e-4, 1.0));
-  keys.Number("f_number", focus.f_number, Between(0.5, 64.0));
-  keys.Number("distance_m", focus.distance_m, Positive(1e6));
-  keys.Number("pixel_pitch_m", focus.pixel_pitch_m, Between(1e-7, 1e-3));
+  keys.Number({"focal_length_m", "m", "of the lens", Presence::kRequired}, focus.focal_length_m,
+              Between(1e-4, 1.0));
+  keys.Number({"f_number", "", "of the lens", Presence::kRequired}, focus.f_number,
+              Between(0.5, 64.0));
+  keys.Number({"distance_m", "m", "at which it is sharp", Presence::kRequired}, focus.distance_m,
+              Positive(1e6));
+  keys.Number({"pixel_pitch_m", "m", "of the sensor", Presence::kRequired}, focus.pixel_pitch_m,
+              Between(1e-7, 1e-3));
   keys.Check("distance_m", focus.distance_m > focus.focal_length_m,
              "a number above focal_length_m");
 }
@@ -24,21 +34,28 @@ void VisitFocus(Keys& keys, FocusModel& focus) {
 }  // namespace
 
 void VisitLensErrors(Keys& keys, LensErrors& errors, Presence needed) {
-  const auto key = [&](std::string_view name) { return Key(name, "", "", needed); };
-  keys.Number(key("focal_relative"), errors.focal_sigma, NonNegative(0.1));
-  keys.Number(key("centre_px"), errors.centre_sigma_px, NonNegative(50.0));
-  keys.Number(key("radial_px"), errors.radial_sigma_px, NonNegative(50.0));
+  keys.Number({"focal_relative", "", "of the focal length, 1 sigma as a share", needed},
+              errors.focal_sigma, NonNegative(0.1));
+  keys.Number({"centre_px", "px", "of the image centre, 1 sigma", needed}, errors.centre_sigma_px,
+              NonNegative(50.0));
+  keys.Number({"radial_px", "px", "of the distortion half the width out, 1 sigma", needed},
+              errors.radial_sigma_px, NonNegative(50.0));
 }
 
 void VisitSensor(Keys& keys, SensorModel& sensor, Presence needed) {
-  const auto key = [&](std::string_view name) { return Key(name, "", "", needed); };
-  keys.Number(key("full_well_e"), sensor.full_well_e, Between(100.0, 1e6));
-  keys.Number(key("read_noise_e"), sensor.read_noise_e, NonNegative(1e4));
-  keys.Number(key("vignetting_exponent"), sensor.vignetting_exponent, NonNegative(8.0));
-  keys.Number(key("blur_sigma_px"), sensor.blur_sigma_px, NonNegative(10.0));
-  keys.Number(Optional("response_sigma"), sensor.response_sigma, NonNegative(0.2));
-  keys.Number(Optional("shutter_s"), sensor.shutter_s, NonNegative(0.1));
-  keys.Integer(Optional("bits"), sensor.bits, 8, 16);
+  keys.Number({"full_well_e", "electrons", "of a white pixel", needed}, sensor.full_well_e,
+              Between(100.0, 1e6));
+  keys.Number({"read_noise_e", "electrons", "1 sigma", needed}, sensor.read_noise_e,
+              NonNegative(1e4));
+  keys.Number({"vignetting_exponent", "", "n of cos^n of the angle off the axis", needed},
+              sensor.vignetting_exponent, NonNegative(8.0));
+  keys.Number({"blur_sigma_px", "px", "of lens and pixel, a Gaussian", needed},
+              sensor.blur_sigma_px, NonNegative(10.0));
+  keys.Number({"response_sigma", "", "of the pixels' gains, 1 sigma as a share"},
+              sensor.response_sigma, NonNegative(0.2));
+  keys.Number({"shutter_s", "s", "of an exposure; motion blurs it"}, sensor.shutter_s,
+              NonNegative(0.1));
+  keys.Integer({"bits", "", "of a pixel; a controller gets the upper eight"}, sensor.bits, 8, 16);
   keys.Mapping(Unset("exposure"), [&](Keys& in) { VisitExposure(in, sensor.exposure); });
   keys.Mapping(Unset("focus"), [&](Keys& in) { VisitFocus(in, sensor.focus); });
 }

@@ -105,7 +105,11 @@ bool CustomJudge::Try(const Commands& last, const TrialWatch& watch) {
 
 Conclusion CustomJudge::Conclude(const Commands& last, const Belief& belief,
                                  const TrialWatch& watch) {
-  EndOfRun end{.claimed = last.verdict, .truth = {}, .contact = {}};
+  EndOfRun end{.claimed = last.verdict,
+               .phase = belief.phase,
+               .said = belief.note,
+               .truth = {},
+               .contact = {}};
   const auto docked = [&] { return IsDocked(); };
   if (last.verdict == Verdict::kDone) {
     Play(last, kSettle_s, "rest", watch, docked);

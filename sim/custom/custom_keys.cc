@@ -35,8 +35,8 @@ void VisitGraceful(Keys& keys, DockingOptions& docking) {
   keys.Number({"aligned_m", "m", "farther off aside, the robot backs off before it touches"},
               docking.aligned_m, Positive(1.0));
   keys.Degrees({"aligned_deg", "deg", "the same turned"}, docking.aligned_rad, Positive(90.0));
-  keys.Number({"press_m", "m", "driven on beyond the docked pose"}, docking.press_m,
-              NonNegative(0.5));
+  keys.Number({"press_m", "m", "driven on beyond the docked pose while the contact is open"},
+              docking.press_m, NonNegative(0.5));
   keys.Number({"press_m_s", "m/s", "at which the robot touches and presses"}, docking.press_m_s,
               Between(0.001, 1.0));
   keys.Number({"search_rad_s", "rad/s", "of turning to find the dock"}, docking.search_rad_s,
@@ -54,7 +54,8 @@ void VisitCustomKeys(Keys& keys, CustomKeys& values) {
             values.dock_file);
   keys.Mapping({"judge", "", "", Presence::kRequired},
                [&](Keys& in) { VisitJudge(in, values.judge); });
-  keys.Degrees({"off_dock_deg", "deg", "start heading off the dock, in place of start.heading_deg",
+  keys.Degrees({"off_dock_deg", "deg",
+                "heading_deg less alpha_deg: 0 with its front to the dock, 180 with its rear",
                 Presence::kUnset},
                values.off_dock_rad, Between(-180.0, 180.0));
   keys.Mapping({"graceful", "", ""}, [&](Keys& in) { VisitGraceful(in, values.docking); });

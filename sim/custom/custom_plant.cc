@@ -13,6 +13,9 @@ namespace {
 
 // Contacts yield by this much where things rest on each other. Assumed, 1-5 mm.
 constexpr double kOverlap_m = 2e-3;
+// By which a dock may settle: onto a carpet, or from a drawing that leaves a gap below it. Assumed,
+// 5-20 mm, 1-3 deg.
+constexpr double kSettled_m = 0.01, kSettled_rad = Radians(2.0);
 // A camera comes no nearer to a board [m].
 constexpr double kNearest_m = 0.1;
 
@@ -33,10 +36,17 @@ CustomPlant::CustomPlant(const Scenario& scenario, BuiltRun built,
   for (std::size_t i = 0; i < built_.world.robot.cameras.size(); ++i) {
     cameras_.emplace_back(built_.world.robot.cameras[i].model, seed_, static_cast<int>(i));
   }
-  if (world_.start_overlap_m() <= kOverlap_m) return;
-  throw ConfigError(scenario.start_place +
-                    ": expected a start at which robot and dock are apart, " + "found them " +
-                    NumberText(1e3 * world_.start_overlap_m()) + " mm in each other");
+  if (world_.start_overlap_m() > kOverlap_m) {
+    throw ConfigError(scenario.start_place +
+                      ": expected a start at which robot and dock are apart, found them " +
+                      Fixed(1e3 * world_.start_overlap_m(), 1) + " mm in each other");
+  }
+  if (world_.dock_settled_m() <= kSettled_m && world_.dock_settled_rad() <= kSettled_rad) return;
+  throw ConfigError(built_.world.dock.name +
+                    ": expected a dock that is at rest on the floor, its lowest points at z = 0 of "
+                    "its root link and its weight between them; it moved by " +
+                    Fixed(1e3 * world_.dock_settled_m(), 1) + " mm and turned by " +
+                    Fixed(Degrees(world_.dock_settled_rad()), 1) + " deg within a second");
 }
 
 // Without an inertial unit its sample stays zero.

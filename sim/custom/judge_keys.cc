@@ -46,11 +46,13 @@ void VisitDocked(Keys& keys, JudgeKeys& judge) {
 }
 
 void VisitTrial(Keys& keys, TrialKeys& trial) {
-  keys.Number({"push_n", "N", "level force on the robot's root"}, trial.push_n, NonNegative(1e4));
+  keys.Number({"push_n", "N", "level force of each push on the robot's root; 0: no push"},
+              trial.push_n, NonNegative(1e4));
   std::size_t count = trial.towards_rad.size();
   keys.List(
-      {"pushes", "", "one push each; by default away from the dock"}, 0, 8, count,
-      [&](std::size_t n) { trial.towards_rad.assign(n, 0.0); },
+      {"pushes", "",
+       "directions of pushes, one after the other; by default one away from the dock"},
+      0, 8, count, [&](std::size_t n) { trial.towards_rad.assign(n, 0.0); },
       [&](Keys& in, std::size_t i) {
         in.Degrees({"towards_deg", "deg", "from x of the dock's root link", kRequired},
                    trial.towards_rad[i], Between(-180.0, 180.0));
@@ -63,6 +65,8 @@ void VisitTrial(Keys& keys, TrialKeys& trial) {
               trial.drive_m_s, NonNegative(5.0));
   keys.Mapping(Unset("contact"), [&](Keys& in) { VisitContact(in, trial.contact); });
   keys.Mapping(Unset("pose"), [&](Keys& in) { VisitPose(in, trial.pose, false); });
+  keys.Check("push_n", trial.push_n > 0.0 || trial.shake_n > 0.0 || trial.drive_m_s > 0.0,
+             "a push_n, shake_n or drive_m_s above zero: without one the trial tries nothing");
 }
 
 }  // namespace

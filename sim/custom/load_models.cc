@@ -47,13 +47,17 @@ void RequireContact(const Scenario& scenario, const ModelSet& models, const std:
 void CheckPads(const ModelSet& models) {
   const auto check = [](const ElectricalParts& from, const ElectricalParts& on,
                         const std::string& whose, const std::string& other) {
+    std::string there;
+    for (const ContactPad& pad : on.pads)
+      there += (there.empty() ? "" : ", ") + ("'" + pad.contact) + "' '" + pad.pole + "'";
     for (const SpringPin& pin : from.pins) {
       const bool met = std::any_of(on.pads.begin(), on.pads.end(), [&](const ContactPad& pad) {
         return pad.contact == pin.contact && pad.pole == pin.pole;
       });
       if (met) continue;
       throw ConfigError(whose + ": contact_pins: expected a pad of contact '" + pin.contact +
-                        "' and pole '" + pin.pole + "' on " + other + ", found none");
+                        "' and pole '" + pin.pole + "' on " + other + ", found " +
+                        (there.empty() ? "none" : there));
     }
   };
   check(models.robot.electrical, models.dock.electrical, models.robot.name, models.dock.name);

@@ -31,6 +31,12 @@ std::string StateNote(const EndOfRun& end, const JudgeKeys& keys) {
   return broken.empty() ? note : note + "; " + broken;
 }
 
+/// " in 'search': no dock detected".
+std::string PhaseText(const EndOfRun& end) {
+  if (end.phase.empty()) return "";
+  return " in '" + end.phase + "'" + (end.said.empty() ? "" : ": " + end.said);
+}
+
 Judged JudgeClaim(const EndOfRun& end, const JudgeKeys& keys, const std::string& note) {
   const Condition& docked = keys.docked;
   if (end.held && (!end.tried || end.kept)) return {Outcome::kDocked, note};
@@ -88,11 +94,16 @@ bool Holds(const ContactAsked& asked, const ContactTruth* contact) {
 std::vector<JudgedLimit> LimitsOf(const EndOfRun& end, const JudgeKeys& keys) {
   const PoseBox& box = keys.docked.pose;
   const Truth& t = end.truth;
+  const RollPitchYaw turn = ToRollPitchYaw(t.X_QP.R);
   std::vector<JudgedLimit> limits{
       AtMost("off_x_m", "m", "the robot's frame in the dock's, along x", t.X_QP.p.x(), box.x_m),
       AtMost("off_y_m", "m", "the same along y", t.X_QP.p.y(), box.y_m),
-      AtMost("off_yaw_deg", "deg", "the same turned about z", Degrees(ToRollPitchYaw(t.X_QP.R).yaw),
-             Degrees(box.yaw_rad)),
+      AtMost("off_z_m", "m", "the same along z", t.X_QP.p.z(), box.z_m),
+      AtMost("off_roll_deg", "deg", "the same turned about x", Degrees(turn.roll),
+             Degrees(box.roll_rad)),
+      AtMost("off_pitch_deg", "deg", "the same about y", Degrees(turn.pitch),
+             Degrees(box.pitch_rad)),
+      AtMost("off_yaw_deg", "deg", "the same about z", Degrees(turn.yaw), Degrees(box.yaw_rad)),
       AtMost("touch_n", "N", "between robot and dock", t.touch_n, keys.docked.most_n),
       AtMost("collision_n", "N", "most of it in the run", t.peak_touch_n, keys.collided_n),
       AtMost("dock_moved_m", "m", "the dock from where it was", t.dock_moved_m, keys.pushed_m),
@@ -107,7 +118,12 @@ std::vector<JudgedLimit> LimitsOf(const EndOfRun& end, const JudgeKeys& keys) {
 Judged JudgeEnd(const EndOfRun& end, const JudgeKeys& keys) {
   const Truth& t = end.truth;
   const std::string note = StateNote(end, keys);
-  if (std::max(t.tilt_rad, t.dock_tilt_rad) > keys.tipped_rad) return {Outcome::kTippedOver, note};
+  if (std::max(t.tilt_rad, t.dock_tilt_rad) > keys.tipped_rad) {
+    const bool robot = t.tilt_rad > keys.tipped_rad;
+    return {Outcome::kTippedOver, std::string("the ") + (robot ? "robot" : "dock") + " by " +
+                                      Fixed(Degrees(robot ? t.tilt_rad : t.dock_tilt_rad), 1) +
+                                      " deg; " + note};
+  }
   if (t.peak_touch_n > keys.collided_n) return {Outcome::kCollided, note};
   if (t.dock_moved_m > keys.pushed_m || t.dock_turned_rad > keys.pushed_rad) {
     return {Outcome::kDockPushed, note};
@@ -116,8 +132,9 @@ Judged JudgeEnd(const EndOfRun& end, const JudgeKeys& keys) {
   if (end.contact_asked && end.was_closed && !end.contact.closed) {
     return {Outcome::kContactLost, note};
   }
-  if (end.claimed == Verdict::kGivenUp) return {Outcome::kGaveUp, "gave up; " + note};
-  return {Outcome::kTimeout, "ran out of time; " + note};
+  if (end.claimed == Verdict::kGivenUp)
+    return {Outcome::kGaveUp, "gave up" + (end.said.empty() ? "" : ": " + end.said) + "; " + note};
+  return {Outcome::kTimeout, "ran out of time" + PhaseText(end) + "; " + note};
 }
 
 }  // namespace dockyard::custom

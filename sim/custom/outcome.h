@@ -39,6 +39,7 @@ bool Holds(const ContactAsked& asked, const ContactTruth* contact);
 /// What the truth says at the end.
 struct EndOfRun {
   Verdict claimed = Verdict::kUnderWay;
+  std::string phase, said;  // of the controller, and why it is in that phase; may be empty
   Truth truth;
   ContactTruth contact;  // that the judge asks for
   bool contact_asked = false;

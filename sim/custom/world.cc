@@ -83,6 +83,9 @@ World::World(const WorldSetup& setup)
   }
   steps_ = 0;
   peak_touch_n_ = 0.0;
+  const Pose3 X_DD_settled = Inverse(X_GD_start_) * dock_.Motion(world_, 0).X_GL;
+  dock_settled_m_ = X_DD_settled.p.norm();
+  dock_settled_rad_ = Eigen::AngleAxisd(X_DD_settled.R).angle();
   X_GD_start_ = dock_.Motion(world_, 0).X_GL;
   if (imu_) imu_->Start(robot_.Motion(world_, 0));
 }

@@ -43,6 +43,9 @@ class World {
   const Pose3& X_WG() const { return X_WG_; }
   /// How far solids of robot and dock reached into each other as they were put down; 0: not at all.
   double start_overlap_m() const { return start_overlap_m_; }
+  /// How far the dock moved, and turned, as it came to rest where it was put down.
+  double dock_settled_m() const { return dock_settled_m_; }
+  double dock_settled_rad() const { return dock_settled_rad_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -77,7 +80,7 @@ class World {
   std::vector<LinkSolid> dock_solids_;
   Pose3 X_GD_start_;  // the dock as it was built
   double dock_still_s_ = 0.0;
-  double start_overlap_m_ = 0.0;
+  double start_overlap_m_ = 0.0, dock_settled_m_ = 0.0, dock_settled_rad_ = 0.0;
   double touch_n_ = 0.0, peak_touch_n_ = 0.0;
   long steps_ = 0;
 };

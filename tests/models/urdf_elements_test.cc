@@ -138,6 +138,11 @@ TEST(UrdfElements, AnAxisWithARotationIsRefused) {
             "'0 0 1.57'");
 }
 
+TEST(UrdfElements, AnglesOfMoreThanATurnAreRefusedAsDegrees) {
+  EXPECT_EQ(WithInJoint("\n<origin xyz=\"0 0 0\" rpy=\"0 0 180\"/>"),
+            "m.urdf:4:1: <origin>: rpy: expected angles in radians, up to a turn, found '0 0 180'");
+}
+
 TEST(UrdfTree, LinksOutsideItAreRefusedWithTheirLine) {
   const auto joint = [](const std::string& parent, const std::string& child) {
     return "<joint name=\"" + parent + child + "\" type=\"fixed\"><parent link=\"" + parent +

@@ -5,7 +5,9 @@
 
 #include "custom/charger_rig.h"
 #include "models/read/config_error.h"
+#include "sim/base/files.h"
 #include "sim/plant/renderer.h"
+#include "support/bad_files.h"
 
 namespace dockyard::custom {
 namespace {
@@ -53,15 +55,48 @@ TEST(CustomKeys, APinWithoutAPadIsRefused) {
               HasSubstr("expected a pad of contact 'charge' and pole 'minus' on Porter"));
 }
 
-TEST(CustomKeys, AStartInTheDockIsRefused) {
-  const Scenario scenario = ChargerScenario({"start={r_m: 0.12, alpha_deg: 0, heading_deg: 0}"});
-  const System system = CustomSystem({});
+TEST(CustomKeys, ATrialThatTriesNothingIsRefused) {
+  EXPECT_THAT(Refusal({"judge.trial.push_n=0"}),
+              HasSubstr("expected a push_n, shake_n or drive_m_s above zero"));
+}
+
+TEST(CustomKeys, APinThatNeverClosesIsRefused) {
+  EXPECT_THAT(
+      Refusal({"changes={dock: {contact_pins: [{contact: charge, pole: plus, link: dock, tip_m: "
+               "[0, 0, 0.06], stroke_m: 0.004, first_n: 0.8, last_n: 2, closes_n: 3}]}}"}),
+      HasSubstr("contact_pins[0].closes_n: expected less than last_n"));
+}
+
+std::string RefusedStart(const std::vector<std::string>& overrides) {
   try {
-    system.make_ready(scenario);
-    FAIL();
+    CustomSystem({}).make_ready(ChargerScenario(overrides));
   } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("expected a start at which robot and dock are apart"));
+    return error.what();
   }
+  return "";
+}
+
+TEST(CustomKeys, AStartInTheDockIsRefused) {
+  EXPECT_THAT(RefusedStart({"start={r_m: 0.12, alpha_deg: 0, heading_deg: 0}"}),
+              HasSubstr("expected a start at which robot and dock are apart"));
+}
+
+TEST(CustomKeys, ADockThatDoesNotRestIsRefused) {
+  EXPECT_EQ(RefusedStart({}), "");
+  const ScratchFolder folder;
+  const auto with_dock = [&](const std::string& old, const std::string& now) {
+    std::string urdf = *ReadWhole(ChargerFile("dock/dock.urdf"));
+    for (std::size_t at = urdf.find(old); at != urdf.npos; at = urdf.find(old, at + now.size()))
+      urdf.replace(at, old.size(), now);
+    folder.Write("dock.urdf", urdf);
+    return RefusedStart({"dock={urdf: " + (folder.path() / "dock.urdf").string() +
+                         ", file: " + ChargerFile("dock/dock.yaml") + "}"});
+  };
+  // Its box 5 cm in the floor, 5 cm over it, and its weight before its feet.
+  const std::string at_rest = "expected a dock that is at rest on the floor";
+  EXPECT_THAT(with_dock("-0.06 0 0.055", "-0.06 0 0.005"), HasSubstr(at_rest));
+  EXPECT_THAT(with_dock("-0.06 0 0.055", "-0.06 0 0.105"), HasSubstr(at_rest));
+  EXPECT_THAT(with_dock("-0.065 0 0.05\"", "0.15 0 0.05\""), HasSubstr(at_rest));
 }
 
 }  // namespace

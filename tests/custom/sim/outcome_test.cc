@@ -60,8 +60,15 @@ TEST(CustomOutcome, PutsDamageBeforeAClaim) {
 TEST(CustomOutcome, SaysHowARunWithoutAClaimEnded) {
   EndOfRun end;
   EXPECT_EQ(JudgeEnd(end, Keys4mm()).outcome, Outcome::kTimeout);
+  EXPECT_EQ(JudgeEnd(end, Keys4mm()).note.rfind("ran out of time; ", 0), 0u);
+  end.phase = "search";
+  end.said = "no dock detected";
+  EXPECT_EQ(JudgeEnd(end, Keys4mm()).note.rfind("ran out of time in 'search': no dock", 0), 0u);
   end.claimed = Verdict::kGivenUp;
   EXPECT_EQ(JudgeEnd(end, Keys4mm()).outcome, Outcome::kGaveUp);
+  EXPECT_EQ(JudgeEnd(end, Keys4mm()).note.rfind("gave up: no dock detected; ", 0), 0u);
+  end.truth.dock_tilt_rad = 1.0;
+  EXPECT_EQ(JudgeEnd(end, Keys4mm()).note.rfind("the dock by 57.3 deg; ", 0), 0u);
 }
 
 TEST(CustomOutcome, StatesMarginsOfWhatIsAskedAlone) {
@@ -78,6 +85,23 @@ TEST(CustomOutcome, StatesMarginsOfWhatIsAskedAlone) {
       EXPECT_TRUE(std::isnan(limit.margin()));
     }
   }
+}
+
+TEST(CustomOutcome, StatesTheMarginOfEachNumberOfTheBox) {
+  JudgeKeys keys = Keys4mm();
+  keys.docked.pose.z_m = 0.005;
+  keys.docked.pose.roll_rad = keys.docked.pose.pitch_rad = Radians(3.0);
+  EndOfRun end = Docked();
+  end.truth.X_QP = {RotY(Radians(2.0)) * RotX(Radians(-1.0)), {0.0, 0.0, -0.007}};
+  std::vector<std::pair<std::string, double>> margins;
+  for (const JudgedLimit& limit : LimitsOf(end, keys)) {
+    if (limit.name == "off_z_m" || limit.name == "off_roll_deg" || limit.name == "off_pitch_deg")
+      margins.emplace_back(limit.name, limit.margin());
+  }
+  ASSERT_EQ(margins.size(), 3u);
+  EXPECT_NEAR(margins[0].second, -0.002, 1e-12);
+  EXPECT_NEAR(margins[1].second, 2.0, 1e-9);
+  EXPECT_NEAR(margins[2].second, 1.0, 1e-9);
 }
 
 TEST(CustomOutcome, ANumberThatABoxDoesNotNameMayBeAnything) {
