@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "models/custom/load_robot.h"
 #include "models/custom/take_wheels.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
@@ -192,6 +193,8 @@ void PutErrorsIfLeftOut(YamlNode& root) {
 
 DockModel ReadDockFile(const std::string& path, const ModelChanges& changes, MeshStore* meshes) {
   YamlNode root = LoadModelYaml(path);
+  if (root.Find("wheels") != nullptr)
+    throw ConfigError(path + ": expected a dock's file, found a robot's: it has wheels");
   if (changes.nominal != nullptr) MergeYaml(root, *changes.nominal);
   PutErrorsIfLeftOut(root);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
@@ -226,7 +229,7 @@ bool IsDockFile(const YamlNode& root) {
 }
 
 DockModel LoadDock(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
-  return AdvisingOtherKinds("target", [&] { return ReadDockFile(file, changes, meshes); });
+  return Advising(kGoOn, [&] { return ReadDockFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::custom

@@ -25,7 +25,7 @@ int RequireJoint(const LinkTree& tree, const std::string& name, const std::strin
   std::vector<std::string> known;
   for (const JointedLink& each : tree.joints.links) known.push_back(each.joint);
   throw ConfigError(place + ": expected a joint of the URDF file that moves, found '" + name + "'" +
-                    DidYouMean(name, known));
+                    DidYouMeanOrKnown(name, known));
 }
 
 void TakeMotors(const YamlReader& in, const RobotFile& file, RobotModel& robot) {
@@ -120,6 +120,8 @@ void PutRobotErrorsIfLeftOut(YamlNode& root) {
 
 RobotModel ReadRobotFile(const std::string& path, const ModelChanges& changes, MeshStore* meshes) {
   YamlNode root = LoadModelYaml(path);
+  if (root.Find("wheels") == nullptr && root.Find("boards") != nullptr)
+    throw ConfigError(path + ": expected a robot's file, found a dock's: it has boards, no wheels");
   if (changes.nominal != nullptr) MergeYaml(root, *changes.nominal);
   PutRobotErrorsIfLeftOut(root);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
@@ -159,7 +161,7 @@ bool IsRobotFile(const YamlNode& root) {
 }
 
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
-  return AdvisingOtherKinds("robot", [&] { return ReadRobotFile(file, changes, meshes); });
+  return Advising(kGoOn, [&] { return ReadRobotFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::custom

@@ -10,6 +10,10 @@
 
 namespace dockyard::custom {
 
+/// The end of a message about what a robot's or a dock's file cannot have.
+inline constexpr const char* kGoOn =
+    "docs/reference/custom.md lists what files of robots and docks have";
+
 /// `changes` are keys on top of the file's. Throws ConfigError.
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes = {},
                      MeshStore* meshes = nullptr);

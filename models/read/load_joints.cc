@@ -202,8 +202,8 @@ void TakeKeys(const ItemReader& in, const JointFile& file, JointedLink& link) {
       any({file.start_rad, file.stop.stiffness_nm_per_rad, file.stop.damping_nms_per_rad,
            file.spring_nm_per_rad, file.rest_rad, file.rate_rad_s});
   if (link.slides ? of_turn : of_slide) {
-    in.Refuse(link.slides ? "keys in metres: the joint slides"
-                          : "keys in degrees: the joint turns");
+    in.Refuse(link.slides ? "keys of a slide (start_m, rest_m, n_per_m): the joint slides"
+                          : "keys of a turn (start_deg, rest_deg, nm_per_rad): the joint turns");
   }
   Put(link.slides ? file.start_m : file.start_rad, link.start_rad);
   const JointStop& stop = link.slides ? file.slide_stop : file.stop;

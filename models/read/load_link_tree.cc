@@ -29,7 +29,7 @@ const NamedFrame& RequireFrame(const LinkTree& tree, const std::string& name,
   std::vector<std::string> known;
   for (const NamedFrame& each : tree.frames) known.push_back(each.name);
   throw ConfigError(place + ": expected a link of the URDF file, found '" + name + "'" +
-                    DidYouMean(name, known));
+                    DidYouMeanOrKnown(name, known));
 }
 
 }  // namespace dockyard

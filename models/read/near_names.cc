@@ -114,6 +114,14 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& kn
   return Question(longer.empty() ? NearestName(name, known) : longer);
 }
 
+std::string DidYouMeanOrKnown(std::string_view name, const std::vector<std::string>& known) {
+  const std::string near = DidYouMean(name, known);
+  if (!near.empty() || known.empty()) return near;
+  std::string all;
+  for (const std::string& each : known) all += (all.empty() ? "'" : ", '") + each + "'";
+  return "; known are " + all;
+}
+
 void TakeName(const std::string& name, const std::string& place, std::vector<std::string>& taken) {
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
     throw ConfigError(place + ": expected a name of its own, found a second '" + name + "'");

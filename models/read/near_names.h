@@ -18,6 +18,9 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& k
 /// begins with it; empty if there is none.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known);
 
+/// The same, or else all that are known: "; known are 'a', 'b'".
+std::string DidYouMeanOrKnown(std::string_view name, const std::vector<std::string>& known);
+
 /// Notes a name; ConfigError where it is taken already. Results and controllers find things by it.
 void TakeName(const std::string& name, const std::string& place, std::vector<std::string>& taken);
 

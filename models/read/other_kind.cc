@@ -36,9 +36,14 @@ bool TellsOfOtherKind(std::string_view message) {
 
 }  // namespace
 
+std::string WithAdvice(const std::string& message, const std::string& advice) {
+  if (!TellsOfOtherKind(message) || message.find(advice) != message.npos) return message;
+  return message + "; " + advice;
+}
+
 std::string WithOtherKind(const std::string& message, const std::string& what) {
-  if (!TellsOfOtherKind(message) || message.find(kGoOn) != message.npos) return message;
-  return message + "; a " + what + std::string(kGoOn);
+  if (message.find(kGoOn) != message.npos) return message;
+  return WithAdvice(message, "a " + what + std::string(kGoOn));
 }
 
 }  // namespace dockyard

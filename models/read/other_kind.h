@@ -13,6 +13,8 @@ namespace dockyard {
 /// advice.
 /// @param what  "robot", "target", "ground"
 std::string WithOtherKind(const std::string& message, const std::string& what);
+/// The same with advice of one's own.
+std::string WithAdvice(const std::string& message, const std::string& advice);
 
 /// Calls `read`; its ConfigErrors have the advice.
 template <class Read>
@@ -21,6 +23,14 @@ std::invoke_result_t<Read> AdvisingOtherKinds(const std::string& what, const Rea
     return read();
   } catch (const ConfigError& error) {
     throw ConfigError(WithOtherKind(error.what(), what));
+  }
+}
+template <class Read>
+std::invoke_result_t<Read> Advising(const std::string& advice, const Read& read) {
+  try {
+    return read();
+  } catch (const ConfigError& error) {
+    throw ConfigError(WithAdvice(error.what(), advice));
   }
 }
 

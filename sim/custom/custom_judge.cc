@@ -81,26 +81,30 @@ Commands CustomJudge::DriveAway(const Commands& last) const {
   return away;
 }
 
-bool CustomJudge::Try(const Commands& last, const TrialWatch& watch) {
+std::string CustomJudge::Try(const Commands& last, const TrialWatch& watch) {
   const TrialKeys& trial = keys_.trial;
   const auto keeps = [&] { return KeepsInTrial(); };
-  bool kept = true;
+  std::string lost_in;
+  const auto note = [&](bool kept, const std::string& part) {
+    if (!kept && lost_in.empty()) lost_in = part;
+  };
   if (trial.push_n > 0.0) {
+    int push = 0;
     for (const double towards : trial.towards_rad) {
       plant_.Push(trial.push_n * Eigen::Vector3d(std::cos(towards), std::sin(towards), 0.0), 0.0);
-      kept = Play(last, trial.for_s, "push", watch, keeps) && kept;
+      note(Play(last, trial.for_s, "push", watch, keeps), "push " + std::to_string(++push));
       plant_.Push(Eigen::Vector3d::Zero(), 0.0);
     }
   }
   if (trial.shake_n > 0.0) {
     plant_.Push(Eigen::Vector3d(0.0, trial.shake_n, 0.0), trial.shake_hz);
-    kept = Play(last, trial.for_s, "shake", watch, keeps) && kept;
+    note(Play(last, trial.for_s, "shake", watch, keeps), "shake");
     plant_.Push(Eigen::Vector3d::Zero(), 0.0);
   }
   if (trial.drive_m_s > 0.0) {
-    kept = Play(DriveAway(last), trial.for_s, "drive_away", watch, keeps) && kept;
+    note(Play(DriveAway(last), trial.for_s, "drive_away", watch, keeps), "drive");
   }
-  return kept;
+  return lost_in;
 }
 
 Conclusion CustomJudge::Conclude(const Commands& last, const Belief& belief,
@@ -122,7 +126,8 @@ Conclusion CustomJudge::Conclude(const Commands& last, const Belief& belief,
       keys_.trial.push_n > 0.0 || keys_.trial.shake_n > 0.0 || keys_.trial.drive_m_s > 0.0;
   if (end.held && tries) {
     end.tried = true;
-    end.kept = Try(last, watch);
+    end.lost_in = Try(last, watch);
+    end.kept = end.lost_in.empty();
   }
   if (const ContactTruth* contact =
           Find(end.truth, plant_.built().world.contacts, keys_.docked.contact.pins)) {

@@ -25,7 +25,8 @@ class CustomJudge final : public Judge {
   template <class Keeps>
   bool Play(const Commands& commands, double seconds, const char* phase, const TrialWatch& watch,
             const Keeps& keeps);
-  bool Try(const Commands& last, const TrialWatch& watch);
+  /// @returns the first part in which what is asked does not hold; empty: it held
+  std::string Try(const Commands& last, const TrialWatch& watch);
   Commands DriveAway(const Commands& last) const;
 
   CustomPlant& plant_;

@@ -21,7 +21,8 @@ namespace {
                              const std::vector<std::string>& known) {
   const YamlNode* node = FindPath(scenario.of_system, path);
   throw ConfigError((node == nullptr ? scenario.of_system : *node).place.Text() + ": " + path +
-                    ": expected " + expected + ", found '" + name + "'" + DidYouMean(name, known));
+                    ": expected " + expected + ", found '" + name + "'" +
+                    DidYouMeanOrKnown(name, known));
 }
 
 void RequireFrameOf(const Scenario& scenario, const LinkTree& tree, const std::string& path,
@@ -44,7 +45,7 @@ void RequireContact(const Scenario& scenario, const ModelSet& models, const std:
 }
 
 // Every pin needs a pad on the other side.
-void CheckPads(const ModelSet& models) {
+void CheckPads(const Scenario& scenario, const CustomKeys& keys, const ModelSet& models) {
   const auto check = [](const ElectricalParts& from, const ElectricalParts& on,
                         const std::string& whose, const std::string& other) {
     std::string there;
@@ -60,8 +61,8 @@ void CheckPads(const ModelSet& models) {
                         (there.empty() ? "none" : there));
     }
   };
-  check(models.robot.electrical, models.dock.electrical, models.robot.name, models.dock.name);
-  check(models.dock.electrical, models.robot.electrical, models.dock.name, models.robot.name);
+  check(models.robot.electrical, models.dock.electrical, scenario.robot_file, models.dock.name);
+  check(models.dock.electrical, models.robot.electrical, keys.dock_file, models.robot.name);
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ CustomModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
                  judge.docked.pose.dock);
   RequireContact(scenario, models.nominal, "judge.docked.contact.pins", judge.docked.contact.pins);
   RequireContact(scenario, models.nominal, "judge.trial.contact.pins", judge.trial.contact.pins);
-  CheckPads(models.nominal);
+  CheckPads(scenario, models.keys, models.nominal);
   return models;
 }
 

@@ -40,7 +40,10 @@ std::string PhaseText(const EndOfRun& end) {
 Judged JudgeClaim(const EndOfRun& end, const JudgeKeys& keys, const std::string& note) {
   const Condition& docked = keys.docked;
   if (end.held && (!end.tried || end.kept)) return {Outcome::kDocked, note};
-  if (end.held) return {Outcome::kContactLost, "did not last the trial; " + note};
+  if (end.held)
+    return {
+        Outcome::kContactLost,
+        "did not last the trial" + (end.lost_in.empty() ? "" : "'s " + end.lost_in) + "; " + note};
   if (end.contact_asked && end.was_closed && !end.contact.closed) {
     return {Outcome::kContactLost, "claims to be docked; " + note};
   }

@@ -46,6 +46,7 @@ struct EndOfRun {
   bool was_closed = false;           // at some time of the run
   bool held = false;                 // all conditions, for as long as is asked
   bool tried = false, kept = false;  // the trial, and what is asked in it
+  std::string lost_in{};             // the first part of the trial in which it does not hold
 };
 
 struct Judged {

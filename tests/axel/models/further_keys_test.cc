@@ -71,8 +71,9 @@ TEST(FurtherJoints, KeysThatDoNotFitTheJointAreRefusedWithTheirPlace) {
               HasSubstr("joints[0]: expected the name of a joint of the URDF file "
                         "that moves a further link, found 'mast'"));
   EXPECT_THAT(one("name: arm_joint"), HasSubstr("moves a further link, found 'arm_joint'"));
-  EXPECT_THAT(one("name: to_mast, start_m: 0.1"),
-              HasSubstr("expected keys in degrees: the joint turns"));
+  EXPECT_THAT(
+      one("name: to_mast, start_m: 0.1"),
+      HasSubstr("expected keys of a turn (start_deg, rest_deg, nm_per_rad): the joint turns"));
   EXPECT_THAT(one("name: to_camera, start_deg: 1"),
               HasSubstr("expected keys in metres: the joint slides"));
   EXPECT_THAT(one("name: to_mast, start_deg: 170"),

@@ -59,6 +59,28 @@ TEST(LoadRobot, RefusesNamesThatTheUrdfDoesNotHave) {
               HasSubstr("did you mean 'contacts'"));
 }
 
+TEST(LoadRobot, RefusesADocksFileAndLoadDockARobots) {
+  const auto refusal = [](const auto& load) -> std::string {
+    try {
+      load();
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal([] { LoadRobot(ChargerFile("dock/dock.yaml")); }),
+              HasSubstr("expected a robot's file, found a dock's"));
+  EXPECT_THAT(refusal([] { LoadDock(ChargerFile("robot/robot.yaml")); }),
+              HasSubstr("expected a dock's file, found a robot's"));
+}
+
+TEST(LoadRobot, NamesAllItsLinksWhereNoneIsNear) {
+  EXPECT_THAT(Refusal("contact_pads: [{contact: c, pole: p, link: xyz, middle_m: [0, 0, 0], "
+                      "width_m: 0.01, height_m: 0.01}]"),
+              HasSubstr("'contacts'"));
+  EXPECT_THAT(Refusal("tow_hook: 1"), HasSubstr("docs/reference/custom.md"));
+}
+
 TEST(LoadRobot, RefusesTwoSensorsOfOneName) {
   EXPECT_THAT(Refusal("range_finders: [{name: a, link: contacts, most_m: 2}, "
                       "{name: a, link: contacts, most_m: 3}]"),

@@ -31,7 +31,9 @@ TEST(CustomOutcome, NamesADockingThatLasts) {
   tried.tried = tried.kept = true;
   EXPECT_EQ(JudgeEnd(tried, Keys4mm()).outcome, Outcome::kDocked);
   tried.kept = false;
+  tried.lost_in = "push 2";
   EXPECT_EQ(JudgeEnd(tried, Keys4mm()).outcome, Outcome::kContactLost);
+  EXPECT_EQ(JudgeEnd(tried, Keys4mm()).note.rfind("did not last the trial's push 2; ", 0), 0u);
 }
 
 TEST(CustomOutcome, TellsHalfADockingFromNone) {
