@@ -10,7 +10,9 @@ namespace {
 // A docked heading off x of D by more needs another approach. Assumed, 5-15 deg.
 constexpr double kOffAxis_rad = Radians(10.0);
 constexpr double kOblique_rad = Radians(70.0);  // a board shows its marks up to it; assumed, 60-75
-constexpr double kMargin_px = 2.0;              // about the board; assumed, 1-10
+// The drive in begins from within these of the staging pose. Assumed, 5-20 cm, 5-20 deg.
+constexpr double kStaging_m = 0.12, kStaging_rad = Radians(15.0);
+constexpr double kMargin_px = 2.0;  // about the board; assumed, 1-10
 
 bool ShowsBoard(const RobotCamera& camera, const DockBoard& board, const Pose3& X_DR) {
   const Pose3 X_CB = Inverse(X_DR * camera.X_RC) * board.X_DB;
@@ -48,6 +50,11 @@ double DockPlan::Left(const Pose2& X_DA) const {
 
 double DockPlan::Aside(const Pose2& X_DA) const {
   return travel * (Inverse(X_DA_docked) * Eigen::Vector2d(X_DA.x, X_DA.y)).y();
+}
+
+bool DockPlan::IsAtStaging(const Pose2& X_DA) const {
+  return std::hypot(X_DA.x - X_DA_staging.x, X_DA.y - X_DA_staging.y) < kStaging_m &&
+         std::abs(WrapPi(X_DA.heading - measuring_rad)) < kStaging_rad;
 }
 
 Pose2 DockPlan::OffDocked(const Pose2& X_DA) const {

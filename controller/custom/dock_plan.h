@@ -23,6 +23,8 @@ struct DockPlan {
   /// From A to the docked pose along the path into the dock, and to the left of that path.
   double Left(const Pose2& X_DA) const;
   double Aside(const Pose2& X_DA) const;
+  /// Whether A is near enough to the staging pose to begin the drive in.
+  bool IsAtStaging(const Pose2& X_DA) const;
   /// P where the robot is, in P where it is docked.
   Pose2 OffDocked(const Pose2& X_DA) const;
   /// Moves the docked pose to the left of the path into the dock.

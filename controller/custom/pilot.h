@@ -84,7 +84,6 @@ class Pilot final : public Controller {
   Twist LeaveDock(const std::string& why);
   bool MarksAreLost() const;
   bool IsBlocked(double left_m);
-  bool IsAtStaging() const;
   bool IsWithinDockedBounds() const;
   Pose2 X_DA() const;
   Eigen::Vector3d DockedSigma() const;

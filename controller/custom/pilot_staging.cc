@@ -9,8 +9,6 @@ namespace {
 
 // Sightings at rest that a drive begins with. Assumed, 2-10.
 constexpr int kFixes = 3;
-// The drive in begins from within these of the staging pose. Assumed, 5-20 cm, 5-20 deg.
-constexpr double kStaging_m = 0.12, kStaging_rad = Radians(15.0);
 // Where turns and drives to the staging pose end. Assumed, 1-5 cm, 1-5 deg.
 constexpr double kArrived_m = 0.02, kTurned_rad = Radians(3.0), kFaced_rad = Radians(1.0);
 constexpr double kSteered_m = 0.1;             // nearer, the bearing of a point is not steered to
@@ -26,19 +24,12 @@ constexpr double kSettled_s = 1.0;  // of a contact that is closed at the start
 
 }  // namespace
 
-bool Pilot::IsAtStaging() const {
-  const Pose2 at = X_DA();
-  const Pose2& staging = parts_.plan.X_DA_staging;
-  return std::hypot(at.x - staging.x, at.y - staging.y) < kStaging_m &&
-         std::abs(WrapPi(at.heading - parts_.plan.measuring_rad)) < kStaging_rad;
-}
-
 Twist Pilot::PerceiveDock() {
   if (parts_.contact.closed_s(now_) > kSettled_s) return Enter(Phase::kWait, "contact is closed");
   if (requests_.unanswered(now_)) return Enter(Phase::kGivenUp, "no camera gives an image");
   if (here_.fixes >= kFixes) {
     tries_.X_OA_detected = odometry_.X_OA();
-    if (IsAtStaging()) {
+    if (parts_.plan.IsAtStaging(X_DA())) {
       return parts_.plan.drives_blind ? Enter(Phase::kTurnRound, "dock measured")
                                       : Enter(Phase::kControl, "dock measured");
     }

@@ -112,7 +112,7 @@ System CustomSystem(const std::vector<NamedController<Nominal>>& controllers) {
   system.example_files.scenario = "examples/docks/charger/scenario.yaml";
   system.example_files.robot = "examples/docks/charger/robot/robot.yaml";
   system.example_files.target = "examples/docks/charger/dock/dock.yaml";
-  system.example_files.start_images = "37c0ef87653b9fe5";
+  system.example_files.start_images = "be8793acf95daac8";
   return system;
 }
 

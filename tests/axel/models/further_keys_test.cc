@@ -75,7 +75,7 @@ TEST(FurtherJoints, KeysThatDoNotFitTheJointAreRefusedWithTheirPlace) {
       one("name: to_mast, start_m: 0.1"),
       HasSubstr("expected keys of a turn (start_deg, rest_deg, nm_per_rad): the joint turns"));
   EXPECT_THAT(one("name: to_camera, start_deg: 1"),
-              HasSubstr("expected keys in metres: the joint slides"));
+              HasSubstr("expected keys of a slide (start_m, rest_m, n_per_m): the joint slides"));
   EXPECT_THAT(one("name: to_mast, start_deg: 170"),
               HasSubstr("joint 'to_mast': expected a start within its limits, found 170 deg"));
   EXPECT_THAT(one("name: to_mast, rate_deg_s: 5"), HasSubstr("expected a motor with the rate"));
