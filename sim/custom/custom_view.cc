@@ -100,7 +100,7 @@ std::vector<SceneBuilder::Link> SceneBuilder::LinksOf(const LinkTree& tree, cons
 
 SceneBuilder::SceneBuilder(const BuiltRun& built, const Seed& run_seed)
     : robot_(LinksOf(built.world.robot.tree, "robot")),
-      dock_(LinksOf(built.world.dock.tree, "dock")),
+      dock_(LinksOf(built.world.dock.tree, "station")),
       boards_(built.world.dock.boards),
       lighting_(built.lighting),
       X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),
