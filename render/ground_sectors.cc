@@ -8,8 +8,9 @@
 namespace dockyard {
 namespace {
 
-constexpr double kSteepest = 0.5;    // level part of a unit ray
-constexpr double kFarthest_m = 1.0;  // of the camera from the fan's pole
+constexpr double kSteepest = 0.5;            // level part of a unit ray
+constexpr double kHalfTurn_rad = 0.9 * kPi;  // with room for a wide lens, whose rays are few here
+constexpr double kFarthest_m = 1.0;          // of the camera from the fan's pole
 
 }  // namespace
 
@@ -32,6 +33,9 @@ SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& r) {
       }
     }
   }
+  // From outside of it, a convex piece of ground is less than half a turn wide: this view has the
+  // pole in it, or nearly so.
+  if (high - low > kHalfTurn_rad) return all;
   const double sector = 2.0 * kPi / kGroundSectors;
   const int count = static_cast<int>(std::ceil((high - low) / sector)) + 5;
   if (count >= kGroundSectors) return all;

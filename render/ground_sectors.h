@@ -12,7 +12,7 @@ struct SectorRange {
 };
 
 /// X_FC: camera in the fan's frame. Exact for ground at least 0.2 m from the camera; all sectors
-/// when the view points steeply up or down, or the camera stands over 1 m from the fan's pole.
+/// when the view points steeply up or down, shows the fan's pole, or is from over 1 m from it.
 SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& rect);
 
 }  // namespace dockyard

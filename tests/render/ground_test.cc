@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "render/ground_horizon.h"
+#include "render/ground_mesh.h"
 #include "render/ground_relief.h"
+#include "render/ground_sectors.h"
 #include "render/ground_texture.h"
 #include "render/scene_samples.h"
 
@@ -200,6 +202,22 @@ TEST(Relief, OfALittleRutIsMadeAnewThereAlone) {
   EXPECT_NEAR(changed.x_begin, 80 - 16, 1);
   EXPECT_EQ(changed.y_begin, 49);
   EXPECT_EQ(changed.y_end, 51);
+}
+
+// A spectator's view from beyond the fan's pole: points of one view on each side of the pole have
+// all azimuths about it.
+TEST(GroundSectors, AreAllForAViewThatShowsTheFansPole) {
+  const TanRect rect{-0.6, -0.35, 0.6, 0.35};
+  for (const double turn : {0.0, 0.7, 2.5, -1.9}) {
+    // 0.6 m off the pole and 0.5 m up, pitched down at it: right, down, ahead.
+    Eigen::Matrix3d ahead;
+    ahead << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+    const Pose3 X_FC{RotZ(turn) * RotY(std::atan2(0.5, 0.6)) * ahead,
+                     RotZ(turn) * Eigen::Vector3d(-0.6, 0.0, 0.5)};
+    EXPECT_EQ(VisibleSectors(X_FC, rect).count, kGroundSectors);
+    const Pose3 over_it{RotZ(turn) * ahead, {0.0, 0.0, 0.3}};
+    EXPECT_LT(VisibleSectors(over_it, rect).count, kGroundSectors / 2);
+  }
 }
 
 }  // namespace
