@@ -14,7 +14,7 @@ void VisitExposure(Keys& keys, ExposureModel& exposure) {
               exposure.bracket_stops, Positive(8.0));
   Key fixed = keys.NeededIf(exposure.rule == ExposureRule::kFixed, "fixed_e");
   fixed.unit = "electrons";
-  fixed.meaning = "of fixed: of a white surface in full light";
+  fixed.meaning = "of fixed: of a pixel at radiance 1, a white surface under pi of light";
   keys.Number(fixed, exposure.fixed_e, Positive(1e9));
 }
 
@@ -43,7 +43,7 @@ void VisitLensErrors(Keys& keys, LensErrors& errors, Presence needed) {
 }
 
 void VisitSensor(Keys& keys, SensorModel& sensor, Presence needed) {
-  keys.Number({"full_well_e", "electrons", "of a white pixel", needed}, sensor.full_well_e,
+  keys.Number({"full_well_e", "electrons", "of a full pixel", needed}, sensor.full_well_e,
               Between(100.0, 1e6));
   keys.Number({"read_noise_e", "electrons", "1 sigma", needed}, sensor.read_noise_e,
               NonNegative(1e4));
