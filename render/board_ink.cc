@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/base/two_widths.h"
 #include "render/board_wear.h"
 #include "render/pixel_noise.h"
-#include "render/two_widths.h"
 
 namespace dockyard {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "controller/base/check.h"
+#include "controller/base/two_widths.h"
 #include "render/optics.h"
 #include "render/pixel_noise.h"
-#include "render/two_widths.h"
 
 namespace dockyard {
 namespace {

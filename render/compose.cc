@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "render/two_widths.h"
+#include "controller/base/two_widths.h"
 #include "render/view_sampler.h"
 #include "render/view_turn.h"
 

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "render/two_widths.h"
+#include "controller/base/two_widths.h"
 
 namespace dockyard {
 

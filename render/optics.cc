@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "controller/base/check.h"
-#include "render/two_widths.h"
+#include "controller/base/two_widths.h"
 
 namespace dockyard {
 namespace {

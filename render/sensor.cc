@@ -6,11 +6,11 @@
 #include <span>
 
 #include "controller/base/check.h"
+#include "controller/base/two_widths.h"
 #include "render/optics.h"
 #include "render/pixel_noise.h"
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
-#include "render/two_widths.h"
 #include "render/window.h"
 
 namespace dockyard {

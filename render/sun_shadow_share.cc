@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/base/two_widths.h"
 #include "render/sun_shadow.h"
-#include "render/two_widths.h"
 
 namespace dockyard {
 namespace {

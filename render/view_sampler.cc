@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/two_widths.h"
+#include "controller/base/two_widths.h"
 
 namespace dockyard {
 namespace {
