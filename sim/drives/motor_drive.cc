@@ -20,6 +20,9 @@ constexpr double kBristle_rad_s = 150.0;
 constexpr double kStandstill_rad_s = 1e-3;
 // Stiffness over that of the servo, of teeth with backlash and no bend (assumed, range 10-1000).
 constexpr double kTeethOverServo = 100.0;
+// Of the search for a shaft's lead. Numerical.
+constexpr int kHalvings = 40, kMostSecants = 12;
+constexpr double kCloseShare = 4e-12;  // four times what the halvings leave
 
 ShaftBristle MakeBristle(double limit_nm, double inertia_kg_m2) {
   if (limit_nm <= 0.0) return {};
@@ -57,55 +60,78 @@ DriveOutput MotorDrive::Step(const MotorCommand& command, double angle_rad, doub
   const bool was_driving = mode_ == MotorMode::kVelocity || mode_ == MotorMode::kPosition;
   const bool driving = command.mode == MotorMode::kVelocity || command.mode == MotorMode::kPosition;
   if (driving && !was_driving) StartProfile(angle_rad + lead_rad_, speed_rad_s);
-  if (command.mode != MotorMode::kBrake) brake_bend_rad_ = 0.0;
+  if (command.mode != MotorMode::kBrake) at_.brake_bend_rad = 0.0;
   mode_ = command.mode;
-  const double was_rad = profile_.angle_rad;
+  const double was_rad = at_.profile.angle_rad;
   if (driving) AdvanceAlong(command, dt_s);
   if (bend_nm_per_rad_ > 0.0) {
     const double before_rad = std::exchange(lead_rad_, Lead(command, angle_rad, speed_rad_s, dt_s));
     angle_rad += lead_rad_;
     speed_rad_s += (lead_rad_ - before_rad) / dt_s;
   }
-  DriveOutput out = Work(command, angle_rad, speed_rad_s, dt_s);
+  DriveOutput out = Work(command, angle_rad, speed_rad_s, dt_s, at_);
   out.lead_rad = lead_rad_;
-  profile_moved_rad_ = driving ? profile_.angle_rad - was_rad : 0.0;
+  profile_moved_rad_ = driving ? at_.profile.angle_rad - was_rad : 0.0;
   return out;
 }
 
 // The gears pass on more with more lead and the motor's side gives less, so that halving finds it:
-// to 1e-12 of the lead at the largest torque.
+// to 1e-12 of the lead at the largest torque. Secants narrow it first: what is known to be below or
+// above needs no trial.
 double MotorDrive::Lead(const MotorCommand& command, double angle_rad, double speed_rad_s,
                         double dt_s) const {
   const double play_rad = 0.5 * motor_.backlash_rad;
   const double most_nm = LosslessTorquePerAmp() * motor_.max_current_a * 2.0 +
                          motor_.gear_friction_nm + motor_.brake_torque_nm;
   double low = -play_rad - most_nm / bend_nm_per_rad_, high = -low;
-  for (int i = 0; i < 40; ++i) {
-    const double lead = 0.5 * (low + high);
-    MotorDrive trial = *this;
+  double below = low, above = high;
+  const auto TooMuch_nm = [&](double lead) {
+    Working trial = at_;
     const double given_nm =
-        trial.Work(command, angle_rad + lead, speed_rad_s + (lead - lead_rad_) / dt_s, dt_s)
+        Work(command, angle_rad + lead, speed_rad_s + (lead - lead_rad_) / dt_s, dt_s, trial)
             .torque_nm();
-    const double passed_nm = bend_nm_per_rad_ * (lead - std::clamp(lead, -play_rad, play_rad));
-    (passed_nm < given_nm ? low : high) = lead;
+    const double much_nm =
+        bend_nm_per_rad_ * (lead - std::clamp(lead, -play_rad, play_rad)) - given_nm;
+    if (much_nm < 0.0 && lead > below) below = lead;
+    if (much_nm >= 0.0 && lead < above) above = lead;
+    return much_nm;
+  };
+  double last = lead_rad_, last_nm = TooMuch_nm(last);
+  double slope = servo_stiffness_nm_per_rad_ + servo_damping_nms_per_rad_ / dt_s;
+  const double close_rad = (high - low) * kCloseShare;
+  for (int i = 0; i < kMostSecants && above - below > 2.0 * close_rad && slope > 0.0; ++i) {
+    double next = last - last_nm / slope;
+    // Past the root that the secant meets, so that the bracket closes from both sides.
+    if (std::abs(next - last) <= close_rad) next += last_nm < 0.0 ? close_rad : -close_rad;
+    if (next <= below || next >= above) next = 0.5 * (below + above);
+    const double next_nm = TooMuch_nm(next);
+    if (next != last) slope = (next_nm - last_nm) / (next - last);
+    last = next;
+    last_nm = next_nm;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double lead = 0.5 * (low + high);
+    const bool is_below = lead <= below || (lead < above && TooMuch_nm(lead) < 0.0);
+    (is_below ? low : high) = lead;
   }
   return 0.5 * (low + high);
 }
 
 DriveOutput MotorDrive::Work(const MotorCommand& command, double angle_rad, double speed_rad_s,
-                             double dt_s) {
+                             double dt_s, Working& at) const {
   DriveOutput out;
   const bool driving = mode_ == MotorMode::kVelocity || mode_ == MotorMode::kPosition;
-  if (driving) out.motor_torque_nm = ServoTorque(command, angle_rad, speed_rad_s);
-  gears_.limit_nm =
+  if (driving) out.motor_torque_nm = ServoTorque(command, angle_rad, speed_rad_s, at);
+  ShaftBristle gears = gears_;
+  gears.limit_nm =
       motor_.gear_friction_nm + (1.0 - motor_.gear_efficiency) * std::abs(out.motor_torque_nm);
-  out.friction_torque_nm = BristleTorque(gears_, speed_rad_s, dt_s, gear_bend_rad_);
+  out.friction_torque_nm = BristleTorque(gears, speed_rad_s, dt_s, at.gear_bend_rad);
   if (mode_ == MotorMode::kBrake) {
-    out.friction_torque_nm += BristleTorque(brake_, speed_rad_s, dt_s, brake_bend_rad_);
+    out.friction_torque_nm += BristleTorque(brake_, speed_rad_s, dt_s, at.brake_bend_rad);
   }
   if (!driving) return out;
   const bool turning = std::abs(speed_rad_s) > kStandstill_rad_s ||
-                       std::abs(profile_.speed_rad_s) > kStandstill_rad_s;
+                       std::abs(at.profile.speed_rad_s) > kStandstill_rad_s;
   out.current_a = std::abs(out.motor_torque_nm) / LosslessTorquePerAmp() +
                   (turning ? motor_.no_load_current_a : 0.0);
   return out;
@@ -113,39 +139,40 @@ DriveOutput MotorDrive::Work(const MotorCommand& command, double angle_rad, doub
 
 void MotorDrive::AdvanceAlong(const MotorCommand& command, double dt_s) {
   if (motor_.profile == ProfileShape::kTrapezoid) {
-    profile_ = AdvanceProfile(profile_, command, motor_, dt_s);
+    at_.profile = AdvanceProfile(at_.profile, command, motor_, dt_s);
     return;
   }
-  if (!on_move_ || command != move_command_) {
-    move_ = SplineMove(profile_, command, motor_);
+  if (!at_.on_move || command != move_command_) {
+    move_ = SplineMove(at_.profile, command, motor_);
     move_command_ = command;
     move_time_s_ = 0.0;
-    on_move_ = true;
+    at_.on_move = true;
   }
   move_time_s_ += dt_s;
-  profile_ = move_.At(move_time_s_);
+  at_.profile = move_.At(move_time_s_);
 }
 
-double MotorDrive::ServoTorque(const MotorCommand& command, double angle_rad, double speed_rad_s) {
+double MotorDrive::ServoTorque(const MotorCommand& command, double angle_rad, double speed_rad_s,
+                               Working& at) const {
   const double current = std::clamp(command.current_limit_a, 0.0, motor_.max_current_a);
   const double limit = LosslessTorquePerAmp() * std::max(0.0, current - motor_.no_load_current_a);
   // Leash: a shaft that is dragged off its profile takes the profile along, at the distance where
   // the servo alone gives the limit; nothing winds up.
   const double leash = limit / servo_stiffness_nm_per_rad_;
-  const double held = std::clamp(profile_.angle_rad, angle_rad - leash, angle_rad + leash);
-  if (held != profile_.angle_rad) {
-    profile_ = {held, profile_.speed_rad_s};
-    on_move_ = false;
+  const double held = std::clamp(at.profile.angle_rad, angle_rad - leash, angle_rad + leash);
+  if (held != at.profile.angle_rad) {
+    at.profile = {held, at.profile.speed_rad_s};
+    at.on_move = false;
   }
-  const double torque = servo_stiffness_nm_per_rad_ * (profile_.angle_rad - angle_rad) +
-                        servo_damping_nms_per_rad_ * (profile_.speed_rad_s - speed_rad_s);
+  const double torque = servo_stiffness_nm_per_rad_ * (at.profile.angle_rad - angle_rad) +
+                        servo_damping_nms_per_rad_ * (at.profile.speed_rad_s - speed_rad_s);
   return std::clamp(torque, -limit, limit);
 }
 
 std::uint64_t MotorDrive::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashBits(seed, static_cast<std::uint64_t>(mode_));
-  for (double value : {profile_.angle_rad, profile_.speed_rad_s, profile_.accel_rad_s2,
-                       move_time_s_, move_.duration_s(), gear_bend_rad_, brake_bend_rad_}) {
+  for (double value : {at_.profile.angle_rad, at_.profile.speed_rad_s, at_.profile.accel_rad_s2,
+                       move_time_s_, move_.duration_s(), at_.gear_bend_rad, at_.brake_bend_rad}) {
     hash = HashDouble(hash, value);
   }
   return bend_nm_per_rad_ > 0.0 ? HashDouble(hash, lead_rad_) : hash;

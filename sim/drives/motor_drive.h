@@ -40,14 +40,22 @@ class MotorDrive {
 
  private:
   double LosslessTorquePerAmp() const { return motor_.torque_per_amp_nm / motor_.gear_efficiency; }
+  /// What servo, gears and brake change as they work.
+  struct Working {
+    ProfileState profile;
+    bool on_move = false;  // whether profile is where move_ has it
+    double gear_bend_rad = 0.0, brake_bend_rad = 0.0;
+  };
   void StartProfile(double angle_rad, double speed_rad_s) {
-    profile_ = {angle_rad, speed_rad_s};
-    on_move_ = false;
+    at_.profile = {angle_rad, speed_rad_s};
+    at_.on_move = false;
   }
   void AdvanceAlong(const MotorCommand& command, double dt_s);
-  double ServoTorque(const MotorCommand& command, double angle_rad, double speed_rad_s);
+  double ServoTorque(const MotorCommand& command, double angle_rad, double speed_rad_s,
+                     Working& at) const;
   /// Servo, gears and brake at this motion of the motor's side.
-  DriveOutput Work(const MotorCommand& command, double angle_rad, double speed_rad_s, double dt_s);
+  DriveOutput Work(const MotorCommand& command, double angle_rad, double speed_rad_s, double dt_s,
+                   Working& at) const;
   /// The motor's side before the output at which its torque is the one that the gears pass on.
   double Lead(const MotorCommand& command, double angle_rad, double speed_rad_s, double dt_s) const;
 
@@ -56,13 +64,11 @@ class MotorDrive {
   double servo_stiffness_nm_per_rad_ = 0.0, servo_damping_nms_per_rad_ = 0.0;
   double bend_nm_per_rad_ = 0.0;  // 0: rigid, without backlash
   MotorMode mode_ = MotorMode::kBrake;
-  ProfileState profile_;
+  Working at_;
   SplineMove move_;
   MotorCommand move_command_{};
   double move_time_s_ = 0.0;
-  bool on_move_ = false;  // whether profile_ is where move_ has it
-  double profile_moved_rad_ = 0.0;
-  double gear_bend_rad_ = 0.0, brake_bend_rad_ = 0.0, lead_rad_ = 0.0;
+  double profile_moved_rad_ = 0.0, lead_rad_ = 0.0;
 };
 
 }  // namespace dockyard
