@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "controller/base/check.h"
+#include "sim/rigid/four_doubles.h"
 
 namespace dockyard {
 namespace {
@@ -18,15 +18,6 @@ using Eigen::Vector3d;
 
 // Of an island before it is solved along conjugate directions. Numerical: most end sooner.
 constexpr int kPlainSweeps = 10;
-
-// Two numbers at a time, at any address.
-typedef double Pair __attribute__((vector_size(16)));
-Pair Load(const double* from) {
-  Pair pair;
-  std::memcpy(&pair, from, sizeof pair);
-  return pair;
-}
-void Store(const Pair& pair, double* to) { std::memcpy(to, &pair, sizeof pair); }
 
 // The largest eigenvalue of a symmetric matrix of two rows.
 double Largest(double a, double b, double off) {
@@ -42,7 +33,7 @@ bool ConstraintSystem::Sweep::IsLast(double solved) const {
 void ConstraintSystem::Start(Index speeds, double step_s, double solved) {
   step_s_ = step_s;
   solved_ = solved;
-  speeds_.resize(speeds);
+  speeds_.setZero(speeds);
   joined_.resize(static_cast<std::size_t>(speeds));
   std::iota(joined_.begin(), joined_.end(), 0);
   numbers_.clear();
@@ -53,33 +44,33 @@ void ConstraintSystem::Start(Index speeds, double step_s, double solved) {
   joints_.clear();
 }
 
+DOCKYARD_TWO_WIDTHS
 ConstraintSystem::Rows ConstraintSystem::AddRows(const Vector3d& impulse,
                                                  const ConstraintEnds& ends) {
   Rows rows;
   rows.numbers = numbers_.size();
   rows.terms = terms_.size();
   rows.impulse = impulse;
-  rows.own.setZero();
-  numbers_.resize(rows.numbers + static_cast<std::size_t>(
-                                     3 * (ends[0].jacobian.rows() + ends[1].jacobian.rows())));
-  double* number = numbers_.data() + rows.numbers;
+  FourDoubles own[3] = {};  // columns
   for (std::size_t e = 0; e < 2; ++e) {
     const ConstraintEnd& end = ends[e];
     rows.first[e] = end.first;
-    rows.count[e] = end.jacobian.rows();
-    const Index count = rows.count[e];
-    for (Index i = 0; i < count; ++i) {
-      const Vector3d to(end.jacobian(i, 0), end.jacobian(i, 1), end.jacobian(i, 2));
-      const Vector3d from(end.answer(i, 0), end.answer(i, 1), end.answer(i, 2));
-      for (Index row = 0; row < 3; ++row) number[row * count + i] = from[row];
-      if (to.isZero(0.0)) continue;
-      terms_.push_back({end.first + i, to.x(), to.y(), to.z()});
-      rows.own += to * from.transpose();
+    rows.places[e] = end.places;
+    if (end.places == 0) continue;
+    const double* const answer = end.answer.data();
+    numbers_.insert(numbers_.end(), answer, answer + 3 * end.places);
+    for (const int i : end.moved) {
+      const double* const jacobian = end.jacobian.data() + 4 * i;
+      if (jacobian[0] == 0.0 && jacobian[1] == 0.0 && jacobian[2] == 0.0) continue;
+      terms_.push_back({end.first + i, jacobian[0], jacobian[1], jacobian[2]});
+      FourDoubles to;
+      Load(jacobian, to);
+      for (int k = 0; k < 3; ++k) own[k] += to * answer[k * end.places + i];
     }
-    number += 3 * count;
   }
+  for (int k = 0; k < 3; ++k) rows.own.col(k) = Vector3d(own[k][0], own[k][1], own[k][2]);
   rows.term_count = terms_.size() - rows.terms;
-  if (rows.count[0] > 0 && rows.count[1] > 0) {
+  if (rows.places[0] > 0 && rows.places[1] > 0) {
     const Index a = LowestOf(rows.first[0]), b = LowestOf(rows.first[1]);
     joined_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
@@ -145,30 +136,35 @@ void ConstraintSystem::AddJoint(const JointRow& row, const TreeBody::Speeds& ans
 
 Vector3d ConstraintSystem::VelocityOf(const Rows& rows) const {
   double x = 0.0, y = 0.0, z = 0.0;
-  const Term* const terms = terms_.data() + rows.terms;
-  for (std::size_t i = 0; i < rows.term_count; ++i) {
-    const double speed = speeds_[terms[i].speed];
-    x += terms[i].x * speed;
-    y += terms[i].y * speed;
-    z += terms[i].z * speed;
+  const double* const speeds = speeds_.data();
+  const Term* const end = terms_.data() + rows.terms + rows.term_count;
+  for (const Term* term = terms_.data() + rows.terms; term != end; ++term) {
+    const double speed = speeds[term->speed];
+    x += term->x * speed;
+    y += term->y * speed;
+    z += term->z * speed;
   }
   return {x, y, z};
 }
 
-void ConstraintSystem::Push(Rows& rows, const Vector3d& more) {
-  const double* number = numbers_.data() + rows.numbers;
-  const Pair more_x{more[0], more[0]}, more_y{more[1], more[1]}, more_z{more[2], more[2]};
+void ConstraintSystem::Push(const Rows& rows, const Vector3d& more) {
+  const double* x = numbers_.data() + rows.numbers;
+  const double a = more[0], b = more[1], c = more[2];
   for (std::size_t e = 0; e < 2; ++e) {
-    const Index count = rows.count[e];
-    const double *x = number, *y = x + count, *z = y + count;
+    const Index places = rows.places[e];
+    if (places == 0) continue;
+    const double *y = x + places, *z = y + places;
     double* const speed = speeds_.data() + rows.first[e];
-    Index i = 0;
-    for (; i + 1 < count; i += 2) {
-      const Pair sum = Load(x + i) * more_x + Load(y + i) * more_y + Load(z + i) * more_z;
-      Store(Load(speed + i) + sum, speed + i);
+    for (Index i = 0; i < places; i += 4) {
+      FourDoubles in_x, in_y, in_z, at;
+      Load(x + i, in_x);
+      Load(y + i, in_y);
+      Load(z + i, in_z);
+      Load(speed + i, at);
+      at += in_x * a + in_y * b + in_z * c;
+      Store(at, speed + i);
     }
-    if (i < count) speed[i] += x[i] * more[0] + y[i] * more[1] + z[i] * more[2];
-    number += 3 * count;
+    x = z + places;
   }
 }
 
@@ -296,7 +292,7 @@ void ConstraintSystem::Bend() {
   }
 }
 
-int ConstraintSystem::SolveIsland(const Island& island) {
+DOCKYARD_FOUR_AT_ONCE int ConstraintSystem::SolveIsland(const Island& island) {
   // The last sweep's change of the contacts' impulses is the residual of a conjugate gradient; the
   // direction starts anew where it grows.
   double last = 0.0;

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "sim/rigid/contact_law.h"
+#include "sim/rigid/link_rows.h"
 #include "sim/rigid/tree_body.h"
 
 namespace dockyard {
 
-/// A body in a constraint of three rows: how the rows' velocities go with its speeds, and the
-/// speeds that a unit impulse on each row gives. A row of these matrices for each speed; none: the
-/// body does not move.
-struct ConstraintEnd {
-  Eigen::Index first = 0;  // of the body's speeds among all
-  TreeBody::FewImpulses jacobian, answer;
-};
 using ConstraintEnds = std::array<ConstraintEnd, 2>;
 
 /// A constraint on the rate of one joint, or on its rate less that of another joint of the same
@@ -36,8 +30,8 @@ struct JointRow {
 /// Springs and dampers act at the step's end: contact_law.h.
 class ConstraintSystem {
  public:
-  /// Forgets all constraints. `speeds` is the number of all bodies' speeds. Sweeps end once none
-  /// changes an impulse by more than the share `solved` of the largest.
+  /// Forgets all constraints. `speeds` is the number of places of all bodies' speeds. Sweeps end
+  /// once none changes an impulse by more than the share `solved` of the largest.
   void Start(Eigen::Index speeds, double step_s, double solved = kSolved);
   /// Of all bodies, without constraints; Solve changes them.
   Eigen::VectorXd& speeds() { return speeds_; }
@@ -77,7 +71,7 @@ class ConstraintSystem {
   /// Three rows over the speeds of two bodies. The answers lie in numbers_: of each body a row
   /// after the other. The Jacobian lies in terms_, for those speeds alone that it is not zero of.
   struct Rows {
-    std::array<Eigen::Index, 2> first{}, count{};
+    std::array<Eigen::Index, 2> first{}, places{};
     std::size_t numbers = 0, terms = 0, term_count = 0;
     Eigen::Matrix3d own;  // velocity of each row for a unit impulse on another
     Eigen::Vector3d impulse;
@@ -123,13 +117,13 @@ class ConstraintSystem {
   Rows AddRows(const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
   Eigen::Vector3d VelocityOf(const Rows& rows) const;
   /// Adds an impulse on the rows to the speeds.
-  void Push(Rows& rows, const Eigen::Vector3d& more);
+  void Push(const Rows& rows, const Eigen::Vector3d& more);
   void PushJoint(Joint& joint, double more);
   void PushFirstGuesses();
   /// The first speed of the lowest body that is known to be joined with this one.
   Eigen::Index LowestOf(Eigen::Index first) const;
   Island& IslandOf(Eigen::Index first);
-  Island& IslandOf(const Rows& rows) { return IslandOf(rows.first[rows.count[0] > 0 ? 0 : 1]); }
+  Island& IslandOf(const Rows& rows) { return IslandOf(rows.first[rows.places[0] > 0 ? 0 : 1]); }
   void FindIslands();
   int SolveIsland(const Island& island);
   double RateOf(const JointRow& row) const;

@@ -25,7 +25,7 @@ Matrix3d AxesAlong(const Vector3d& normal) {
 
 int RigidWorld::Add(TreeBody body) {
   first_.push_back(speeds_);
-  speeds_ += body.speeds().size();
+  speeds_ += PlacesFor(body.speeds().size());
   bodies_.push_back(std::move(body));
   asleep_.push_back(false);
   return static_cast<int>(bodies_.size()) - 1;

@@ -116,19 +116,16 @@ class RigidWorld {
     PointTie points;
     Eigen::Vector3d impulse_G{0, 0, 0};
   };
-  /// What a link's velocity at a point and its turning go with, and what answers impulses on them:
-  /// its contacts share them.
   struct LinkAnswers {
     BodyLink at;
-    Eigen::Vector3d p_G{0, 0, 0};
-    TreeBody::FewImpulses moving, turning, answer, turning_answer;
+    LinkRows rows;
   };
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
   LinkMotion MotionOf(const BodyLink& at) const;
   bool Moves(int body) const { return body >= 0 && !asleep(body); }
   void AddJointRows(std::size_t joint, double step_s);
   void GoOnFromLastStep(WorldContact& contact, double step_s) const;
-  const LinkAnswers& AnswersOf(const BodyLink& at);
+  const LinkRows& RowsOf(const BodyLink& at);
   void FillEnds(const BodyLink& a, const BodyLink& b, const Eigen::Vector3d& p_G,
                 const Eigen::Matrix3d& axes, bool turning);
   void AddTieRows();
@@ -144,6 +141,7 @@ class RigidWorld {
   std::vector<Joint> joints_;
   std::vector<Tie> ties_;
   std::vector<WorldContact> contacts_, next_contacts_;
+  std::vector<Eigen::Matrix3d> axes_;  // of the next ones
   double solved_ = kSolved;
   ConstraintSystem system_;
   ConstraintEnds ends_;

@@ -108,9 +108,9 @@ class TreeBody {
   void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   /// Speeds that an impulse over the speeds gives [N s, N m s]; good from TakeLoads to Move.
   Speeds Answer(Speeds impulse) const;
-  /// The same for an impulse in each column, as many as a constraint has rows.
-  using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, kMostSpeeds, 3>;
-  void AnswerInPlace(FewImpulses& impulses) const;
+  /// The same for an impulse in each column: along and about three axes each.
+  using LinkImpulses = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, kMostSpeeds, 6>;
+  void AnswerInPlace(LinkImpulses& impulses) const;
   void AddSpeeds(const Speeds& change);
   void Stop();
   /// A step's positions by the speeds.
@@ -118,8 +118,8 @@ class TreeBody {
 
   /// Velocity in G of a link's material point at p_G over the speeds.
   PointJacobian JacobianOf(int i, const Eigen::Vector3d& p_G) const;
-  /// A link's turning in G over the speeds.
-  PointJacobian TurningOf(int i) const;
+  /// How a link's turning in G, three columns, and its origin's velocity in G go with each speed.
+  LinkImpulses MotionRowsOf(int i) const;
   /// Inertia of the speeds, rotors included.
   Inertia MassMatrix() const;
   /// Of all motion, rotors' own left out but for their joints' rates [J].

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "sim/rigid/four_doubles.h"
+
 namespace dockyard {
 
 TreeFactor::TreeFactor(int of_base, std::vector<int> inwards)
@@ -41,28 +43,45 @@ void TreeFactor::Solve(double* x) const {
   }
 }
 
-void TreeFactor::SolveThree(double* x) const {
+// The first four of a row's numbers at once, then the other two.
+DOCKYARD_FOUR_AT_ONCE void TreeFactor::SolveSix(double* x) const {
+  const auto IsZero = [](const double* at) {
+    return at[0] == 0.0 && at[1] == 0.0 && at[2] == 0.0 && at[3] == 0.0 && at[4] == 0.0 &&
+           at[5] == 0.0;
+  };
+  FourDoubles four, other;
   for (int i = size() - 1; i >= 0; --i) {
+    double* const at = x + 6 * i;
+    if (IsZero(at)) continue;  // as are joints that do not move the link
     const double* const own = row(i);
-    double* const at = x + 3 * i;
-    const double a = at[0], b = at[1], c = at[2];
+    const double e = at[4], f = at[5];
+    Load(at, four);
     ForInwards(i, [&](int j) {
-      x[3 * j] -= own[j] * a;
-      x[3 * j + 1] -= own[j] * b;
-      x[3 * j + 2] -= own[j] * c;
+      double* const to = x + 6 * j;
+      Load(to, other);
+      Store(other - own[j] * four, to);
+      to[4] -= own[j] * e;
+      to[5] -= own[j] * f;
     });
-    for (int column = 0; column < 3; ++column) at[column] *= own[i];
+    Store(four * own[i], at);
+    at[4] = e * own[i];
+    at[5] = f * own[i];
   }
   for (int i = 0; i < size(); ++i) {
     const double* const own = row(i);
-    double* const at = x + 3 * i;
-    double a = at[0], b = at[1], c = at[2];
+    double* const at = x + 6 * i;
+    double e = at[4], f = at[5];
+    Load(at, four);
     ForInwards(i, [&](int j) {
-      a -= own[j] * x[3 * j];
-      b -= own[j] * x[3 * j + 1];
-      c -= own[j] * x[3 * j + 2];
+      const double* const from = x + 6 * j;
+      Load(from, other);
+      four -= own[j] * other;
+      e -= own[j] * from[4];
+      f -= own[j] * from[5];
     });
-    at[0] = a, at[1] = b, at[2] = c;
+    Store(four, at);
+    at[4] = e;
+    at[5] = f;
   }
 }
 

@@ -22,8 +22,8 @@ class TreeFactor {
   /// Puts the factor in the matrix's place.
   void Compute();
   void Solve(double* x) const;
-  /// For three right sides at once, which lie speed by speed.
-  void SolveThree(double* x) const;
+  /// For six right sides at once, which lie speed by speed.
+  void SolveSix(double* x) const;
 
  private:
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }

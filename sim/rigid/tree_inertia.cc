@@ -118,13 +118,15 @@ TreeBody::Speeds TreeBody::Answer(Speeds impulse) const {
   return impulse;
 }
 
-void TreeBody::AnswerInPlace(FewImpulses& impulses) const {
+void TreeBody::AnswerInPlace(LinkImpulses& impulses) const {
   if (flies_alone_) {
     impulses.topRows<3>() /= mass_kg_;
-    impulses.bottomRows<3>() = MatrixOf(inverse_G_).lazyProduct(impulses.bottomRows<3>()).eval();
+    for (int i = 0; i < 6; ++i) {
+      impulses.block<3, 1>(3, i) = Product(inverse_G_, Vector3d(impulses.block<3, 1>(3, i)));
+    }
     return;
   }
-  factor_.SolveThree(impulses.data());
+  factor_.SolveSix(impulses.data());
   if (ties_.rows() > 0) impulses -= tie_answers_ * held_.solve(ties_ * impulses);
 }
 
@@ -143,13 +145,23 @@ TreeBody::PointJacobian TreeBody::JacobianOf(int i, const Vector3d& p_G) const {
   return J;
 }
 
-TreeBody::PointJacobian TreeBody::TurningOf(int i) const {
-  PointJacobian J = PointJacobian::Zero(3, speeds_.size());
-  if (rules_.base == TreeBase::kFree) J.middleCols<3>(3).setIdentity();
-  for (int at = i; at != 0; at = links_[Place(at)].parent) {
-    if (SpeedOf(at) >= 0 && links_[Place(at)].IsHinge()) J.col(SpeedOf(at)) = axis_G_[Place(at)];
+TreeBody::LinkImpulses TreeBody::MotionRowsOf(int i) const {
+  LinkImpulses rows = LinkImpulses::Zero(speeds_.size(), 6);
+  const Vector3d& p_G = motion_[Place(i)].X_GL.p;
+  if (rules_.base == TreeBase::kFree) {
+    rows.block<3, 3>(0, 3).setIdentity();
+    rows.block<3, 3>(3, 0).setIdentity();
+    rows.block<3, 3>(3, 3) = CrossMatrix(p_G - com_G_[0]);
   }
-  return J;
+  for (int at = i; at != 0; at = links_[Place(at)].parent) {
+    if (SpeedOf(at) < 0) continue;
+    const Vector3d& axis = axis_G_[Place(at)];
+    const bool turns = links_[Place(at)].IsHinge();
+    if (turns) rows.block<1, 3>(SpeedOf(at), 0) = axis.transpose();
+    const Vector3d along = turns ? axis.cross(p_G - motion_[Place(at)].X_GL.p) : axis;
+    rows.block<1, 3>(SpeedOf(at), 3) = along.transpose();
+  }
+  return rows;
 }
 
 }  // namespace dockyard

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sim/rigid/rigid_world.h"
 
@@ -17,27 +18,28 @@ constexpr double kStepsAhead = 2.0;
 // A normal that turned by more than 120 deg in a step is of another contact.
 constexpr double kLeastCosine = -0.5;
 
-// sum += rows * by; rows of zeros, such as most of a tree's Jacobian, are left out.
-void AddProduct(const TreeBody::FewImpulses& rows, const Matrix3d& by, TreeBody::FewImpulses& sum) {
-  const double* row = rows.data();
-  double* to = sum.data();
-  for (Eigen::Index i = 0; i < rows.rows(); ++i, row += 3, to += 3) {
-    const double x = row[0], y = row[1], z = row[2];
-    if (x == 0.0 && y == 0.0 && z == 0.0) continue;
-    for (int k = 0; k < 3; ++k) to[k] += x * by(0, k) + y * by(1, k) + z * by(2, k);
+// Turns vectors at a contact with its normal from one step to the next, and about the normal by an
+// angle.
+class Carrier {
+ public:
+  Carrier(const Vector3d& from, const Vector3d& to, double about_rad)
+      : same_(from.dot(to) >= kLeastCosine), axis_(from.cross(to)), cosine_(from.dot(to)) {
+    if (about_rad != 0.0) about_ = Eigen::AngleAxisd(about_rad, to).toRotationMatrix();
   }
-}
 
-// A vector at a contact whose normal turns from one step to the next, and which itself turns about
-// the normal by an angle.
-Vector3d Carried(const Vector3d& v, const Vector3d& from, const Vector3d& to, double about_rad) {
-  const double cosine = from.dot(to);
-  if (cosine < kLeastCosine) return Vector3d::Zero();
-  const Vector3d axis = from.cross(to), once = axis.cross(v);
-  Vector3d carried = v + once + axis.cross(once) / (1.0 + cosine);
-  if (about_rad != 0.0) carried = Eigen::AngleAxisd(about_rad, to) * carried;
-  return carried;
-}
+  Vector3d Carried(const Vector3d& v) const {
+    if (!same_ || v.isZero(0.0)) return Vector3d::Zero();
+    const Vector3d once = axis_.cross(v);
+    const Vector3d carried = v + once + axis_.cross(once) / (1.0 + cosine_);
+    return about_ ? Vector3d(*about_ * carried) : carried;
+  }
+
+ private:
+  bool same_;
+  Vector3d axis_;
+  double cosine_;
+  std::optional<Matrix3d> about_;
+};
 
 }  // namespace
 
@@ -65,54 +67,36 @@ void RigidWorld::GoOnFromLastStep(WorldContact& contact, double step_s) const {
   const double about_rad =
       0.5 * step_s *
       (MotionOf(contact.a).w_GL_G + MotionOf(contact.b).w_GL_G).dot(contact.normal_G);
-  const auto Carry = [&](const Vector3d& v) {
-    return Carried(v, nearest->normal_G, contact.normal_G, about_rad);
-  };
-  contact.impulse_G = Carry(nearest->impulse_G);
-  contact.rolling_G = Carry(nearest->rolling_G);
-  contact.bend_G = Carry(nearest->bend_G);
+  const Carrier carrier(nearest->normal_G, contact.normal_G, about_rad);
+  contact.impulse_G = carrier.Carried(nearest->impulse_G);
+  contact.rolling_G = carrier.Carried(nearest->rolling_G);
+  contact.bend_G = carrier.Carried(nearest->bend_G);
 }
 
-const RigidWorld::LinkAnswers& RigidWorld::AnswersOf(const BodyLink& at) {
+const LinkRows& RigidWorld::RowsOf(const BodyLink& at) {
   for (std::size_t i = 0; i < answers_count_; ++i) {
-    if (answers_[i].at.body == at.body && answers_[i].at.link == at.link) return answers_[i];
+    if (answers_[i].at.body == at.body && answers_[i].at.link == at.link) return answers_[i].rows;
   }
   if (answers_count_ == answers_.size()) answers_.emplace_back();
   LinkAnswers& found = answers_[answers_count_++];
-  const TreeBody& tree = body(at.body);
   found.at = at;
-  found.p_G = tree.motion(at.link).X_GL.p;
-  found.moving = tree.JacobianOf(at.link, found.p_G).transpose();
-  found.turning = tree.TurningOf(at.link).transpose();
-  found.answer = found.moving;
-  tree.AnswerInPlace(found.answer);
-  found.turning_answer = found.turning;
-  tree.AnswerInPlace(found.turning_answer);
-  return found;
+  found.rows.Fill(body(at.body), at.link);
+  return found.rows;
 }
 
 // Of rows that are the velocity along axes of a's point from b's, or their turning.
 void RigidWorld::FillEnds(const BodyLink& a, const BodyLink& b, const Vector3d& p_G,
                           const Matrix3d& axes, bool turning) {
-  for (ConstraintEnd& end : ends_) {
-    end.first = 0;
-    end.jacobian.resize(0, 3);
-    end.answer.resize(0, 3);
-  }
+  for (ConstraintEnd& end : ends_) end.Clear();
   const auto AddLink = [&](const BodyLink& at, const Matrix3d& along, ConstraintEnd& end) {
     if (!Moves(at.body)) return;
-    const LinkAnswers& link = AnswersOf(at);
-    if (end.jacobian.rows() == 0) {
-      end.first = first_[Place(at.body)];
-      end.jacobian.setZero(link.moving.rows(), 3);
-      end.answer.setZero(link.moving.rows(), 3);
+    const LinkRows& link = RowsOf(at);
+    end.Start(first_[Place(at.body)], link.rows.rows());
+    if (turning) {
+      end.AddTurning(link, along);
+    } else {
+      end.AddPoint(link, p_G, along);
     }
-    const Matrix3d about = turning ? along : Matrix3d(CrossMatrix(p_G - link.p_G) * along);
-    AddProduct(link.turning, about, end.jacobian);
-    AddProduct(link.turning_answer, about, end.answer);
-    if (turning) return;
-    AddProduct(link.moving, along, end.jacobian);
-    AddProduct(link.answer, along, end.answer);
   };
   AddLink(a, axes, ends_[0]);
   AddLink(b, -axes, ends_[a.body == b.body ? 0 : 1]);
@@ -174,9 +158,11 @@ void RigidWorld::AddJointRows(std::size_t i, double step_s) {
 }
 
 void RigidWorld::AddContactRows(double step_s) {
+  axes_.clear();
   for (WorldContact& contact : next_contacts_) {
     GoOnFromLastStep(contact, step_s);
     const Matrix3d axes = AxesAlong(contact.normal_G);
+    axes_.push_back(axes);
     FillEnds(contact.a, contact.b, contact.p_G, axes, false);
     const ContactMaterial& material = contact.material;
     system_.AddContact(
@@ -208,7 +194,7 @@ void RigidWorld::TakeContactImpulses() {
   std::size_t rolling = 0;
   for (std::size_t i = 0; i < next_contacts_.size(); ++i) {
     WorldContact& contact = next_contacts_[i];
-    const Matrix3d axes = AxesAlong(contact.normal_G);
+    const Matrix3d& axes = axes_[i];
     contact.impulse_G = axes * system_.contact_impulse(i);
     contact.bend_G = axes.rightCols<2>() * system_.contact_bend_m(i);
     contact.rolling_G.setZero();

@@ -46,7 +46,11 @@ std::optional<Hit> FirstHit(const PinSide& on, const RigidWorld& world, const Ve
                             const Vector3d& tip_G) {
   std::optional<Hit> first;
   for (const LinkSolid& solid : on.solids) {
-    const Pose3 X_LG = Inverse(PoseOf(on, solid.link, world));
+    const Pose3& X_GL = PoseOf(on, solid.link, world);
+    const double reach_m = solid.body_L.radius_m + 2.0 * (tip_G - root_G).norm();
+    const Vector3d apart_G = tip_G - X_GL * solid.body_L.centre;
+    if (apart_G.squaredNorm() > reach_m * reach_m) continue;
+    const Pose3 X_LG = Inverse(X_GL);
     const Vector3d root_L = X_LG * root_G, tip_L = X_LG * tip_G;
     const double far_m = solid.body_L.radius_m + (tip_L - root_L).norm();
     if ((tip_L - solid.body_L.centre).squaredNorm() > far_m * far_m) continue;

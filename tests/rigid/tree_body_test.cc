@@ -271,9 +271,9 @@ TEST(TreeBody, AnswersImpulsesByItsInertiaWhateverItsShape) {
       TreeBody body(AnyTree(random, count), {}, {RotX(0.7), AnyVector(random, 1.0)}, {base});
       for (int i = 1; i < count; ++i) body.SetAngle(i, random.Uniform(-1.0, 1.0));
       body.TakeLoads({0, 0, 0}, kStep_s);
-      TreeBody::FewImpulses impulses(body.speeds().size(), 3);
+      TreeBody::LinkImpulses impulses(body.speeds().size(), 6);
       for (Eigen::Index i = 0; i < impulses.size(); ++i) impulses(i) = random.Uniform(-1.0, 1.0);
-      TreeBody::FewImpulses answers = impulses;
+      TreeBody::LinkImpulses answers = impulses;
       body.AnswerInPlace(answers);
       EXPECT_LT((body.MassMatrix() * answers - impulses).norm(), 1e-11) << count;
       const TreeBody::Speeds one = body.Answer(impulses.col(1));
