@@ -90,7 +90,7 @@ StageShapes SceneBuilder::Shapes() const {
   for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.points = {
       {"target", "station", p_SM_}, {"tip", "arm", p_AT_}, {"board", "station", X_SB_.p}};
-  shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};
+  shapes.boards = {{"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m}};
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = soil_rgb_;
   shapes.ground_texture_seed = texture_seed_;

@@ -183,10 +183,9 @@ StageShapes SceneBuilder::Shapes() const {
   add(robot_, true);
   add(dock_, false);
   for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
-  if (!boards_.empty()) {
-    const BoardFit& board = boards_.front();
-    shapes.board =
-        StageBoard{dock_[static_cast<std::size_t>(board.link)].name, board.X_LB, board.board};
+  for (const BoardFit& board : boards_) {
+    shapes.boards.push_back(
+        {dock_[static_cast<std::size_t>(board.link)].name, board.X_LB, board.board});
   }
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = floor_rgb_;

@@ -1,6 +1,8 @@
 #include "sim/page/scene_part.h"
 
 #include <Eigen/Geometry>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace dockyard {
@@ -14,10 +16,17 @@ void PutPose(const Pose3& X, Json& into) {
   into["quaternion"] = Json::array({q.x(), q.y(), q.z(), q.w()});
 }
 
+Json TagJson(const SquareTag& tag) {
+  std::string black;
+  for (const std::uint8_t cell : tag.cells.black) black += cell != 0 ? '1' : '0';
+  return {{"x", tag.p_BT.x()},    {"y", tag.p_BT.y()},          {"turn", tag.rotation},
+          {"cell", tag.cell_m()}, {"across", tag.cells.across}, {"black", black}};
+}
+
 /// @param body  its place among the bodies
 Json BoardJson(const StageBoard& stage, std::size_t body) {
   const FiducialBoard& board = stage.board;
-  Json discs = Json::array(), holes = Json::array();
+  Json discs = Json::array(), tags = Json::array(), holes = Json::array();
   for (const Fiducial& fiducial : board.fiducials) {
     Json bar;
     if (board.HasBars()) {
@@ -30,6 +39,7 @@ Json BoardJson(const StageBoard& stage, std::size_t body) {
                      {"radius", 0.5 * board.disc_diameter_m},
                      {"bar", bar}});
   }
+  for (const SquareTag& tag : board.tags) tags.push_back(TagJson(tag));
   if (stage.hole_radius_m > 0.0) {
     holes.push_back(
         {{"x", stage.p_BH.x()}, {"y", stage.p_BH.y()}, {"radius", stage.hole_radius_m}});
@@ -38,6 +48,7 @@ Json BoardJson(const StageBoard& stage, std::size_t body) {
             {"width_m", board.width_m},
             {"height_m", board.height_m},
             {"discs", discs},
+            {"tags", tags},
             {"holes", holes}};
   PutPose(stage.X_OB, json);
   return json;
@@ -67,9 +78,9 @@ std::size_t Scenes::AddMesh(const RenderMesh& mesh) {
 
 std::size_t Scenes::Add(const StageShapes& shapes) {
   Json bodies = Json::array();
-  std::size_t of_board = 0;
+  std::map<std::string, std::size_t> places;
   for (const StageBody& body : shapes.bodies) {
-    if (shapes.board && body.name == shapes.board->body) of_board = bodies.size();
+    places[body.name] = bodies.size();
     Json parts = Json::array();
     for (const StagePart& part : body.parts) {
       Json json{{"mesh", AddMesh(*part.mesh)}, {"colour", Numbers(part.rgb)}};
@@ -84,7 +95,9 @@ std::size_t Scenes::Add(const StageShapes& shapes) {
   Json scene{{"bodies", bodies},
              {"sun_W", Numbers(shapes.light.to_sun_W)},
              {"ground", Numbers(shapes.ground_rgb)}};
-  if (shapes.board) scene["board"] = BoardJson(*shapes.board, of_board);
+  for (const StageBoard& board : shapes.boards) {
+    scene["boards"].push_back(BoardJson(board, places.at(board.body)));
+  }
   const auto [place, fresh] = scene_places_.emplace(scene.dump(), scenes_.size());
   if (fresh) scenes_.push_back(std::move(scene));
   return place->second;

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +51,7 @@ struct StageBoard {
 
 struct StageShapes {
   std::vector<StageBody> bodies;  // in the order of Stage::bodies
-  std::optional<StageBoard> board;
+  std::vector<StageBoard> boards;
   SunAndSky light;
   // The ground as the cameras see it: GroundView has the meanings.
   Eigen::Vector3d ground_rgb{0.5, 0.5, 0.5};  // linear, 0..1

@@ -34,12 +34,14 @@ void OutsideScenes::AddBodies(std::size_t sample, Scene& scene) const {
       scene.objects.push_back(
           {.mesh = part.mesh, .X_WO = X_WO * part.X_OP, .albedo = part.rgb, .stains = part.stains});
     }
-    if (!shapes_.board || shapes_.board->body != body.name) continue;
-    scene.boards.push_back({.board = shapes_.board->board,
-                            .X_WB = X_WO * shapes_.board->X_OB,
-                            .p_BH = shapes_.board->p_BH,
-                            .hole_radius_m = shapes_.board->hole_radius_m,
-                            .dusty_spots = {}});
+    for (const StageBoard& board : shapes_.boards) {
+      if (board.body != body.name) continue;
+      scene.boards.push_back({.board = board.board,
+                              .X_WB = X_WO * board.X_OB,
+                              .p_BH = board.p_BH,
+                              .hole_radius_m = board.hole_radius_m,
+                              .dusty_spots = {}});
+    }
   }
 }
 

@@ -82,7 +82,9 @@ export class View3d {
     for (const { body } of tracks.bodies) {
       const described = tracks.scene.bodies[body];
       const group = makeBody(described, meshes, blobs, null);
-      if (tracks.scene.board?.body === body) group.add(makeBoard(tracks.scene.board));
+      for (const board of tracks.scene.boards ?? []) {
+        if (board.body === body) group.add(makeBoard(board));
+      }
       this.bodies.set(body, group);
       scene.add(group);
       if (!described.robot || !tracks.believed) continue;
