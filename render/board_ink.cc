@@ -52,6 +52,8 @@ BoardShader::BoardShader(const BoardView& view, const Pose3& X_WC) : view_(view)
   board_from_tan_ = tan_from_board.inverse().cast<float>();
   printed_side_ = X_CB.R.col(2).dot(X_CB.p) > 0.0;
   normal_W_ = (printed_side_ ? -1.0 : 1.0) * view.X_WB.R.col(2);
+  X_BC_ = Inverse(X_CB);
+  if (view.flatness_m != 0.0) bent_.emplace(view);
   for (const Fiducial& f : view.board.fiducials) {
     // Counter-clockwise for the viewer is towards -y, for y points down.
     marks_.push_back({static_cast<float>(f.p_BF.x()), static_cast<float>(f.p_BF.y()),
@@ -69,7 +71,17 @@ BoardShader::BoardShader(const BoardView& view, const Pose3& X_WC) : view_(view)
   half_width_ = static_cast<float>(0.5 * view.board.bar_width_m);
 }
 
+BoardShader::Spot BoardShader::SpotAt(Tan tan) const {
+  const Eigen::Vector2d p = bent_->Meet(X_BC_.p, X_BC_.R * Eigen::Vector3d(tan.x, tan.y, 1.0));
+  const Eigen::Vector3d n_B = (printed_side_ ? 1.0 : -1.0) * bent_->Normal(p);
+  return {(Inverse(X_BC_) * bent_->At(p)).cast<float>(), (X_BC_.R.transpose() * n_B).cast<float>()};
+}
+
 Eigen::Vector2f BoardShader::ToBoard(Tan tan) const {
+  if (bent_) {
+    const Eigen::Vector3d ray(tan.x, tan.y, 1.0);
+    return bent_->Meet(X_BC_.p, X_BC_.R * ray).cast<float>();
+  }
   const Eigen::Matrix3f& h = board_from_tan_;
   const float scale = 1.0f / (h(2, 0) * tan.x + h(2, 1) * tan.y + h(2, 2));
   return {(h(0, 0) * tan.x + h(0, 1) * tan.y + h(0, 2)) * scale,

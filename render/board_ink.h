@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "render/bent_plate.h"
 #include "render/pixel_row.h"
 #include "render/scene.h"
 #include "render/scene_light.h"
@@ -69,8 +71,15 @@ class BoardShader {
   /// Share of the pixel that is ink. Discs: each edge as its tangent, on four parts of an edge
   /// pixel; tags: areas of polygons. Less what has flaked off.
   float InkShare(const PixelCorners& corners) const;
-  /// Of the side that the camera faces.
+  /// Of the side that the camera faces; of a bent board in the mean.
   const Eigen::Vector3d& normal_W() const { return normal_W_; }
+  bool bent() const { return bent_.has_value(); }
+  /// Where a ray meets a bent board, and its normal there on the camera's side, in the camera's
+  /// frame.
+  struct Spot {
+    Eigen::Vector3f p_C, n_C;
+  };
+  Spot SpotAt(Tan tan) const;
 
  private:
   struct Mark {
@@ -92,6 +101,8 @@ class BoardShader {
   std::vector<Mark> marks_;  // of tags: their middles, radius_ that of the largest
   std::vector<TagInk> tags_;
   Eigen::Matrix3f board_from_tan_;  // homogeneous
+  std::optional<BentPlate> bent_;   // of a bent board
+  Pose3 X_BC_;
   bool printed_side_ = true;
   float radius_, half_length_, half_width_;
   Eigen::Vector3d normal_W_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/bent_plate.h"
+
 namespace dockyard {
 namespace {
 
@@ -26,9 +28,35 @@ void AddStrip(SurfaceMesh& plate, const Eigen::Vector2d& x, const Eigen::Vector2
   }
 }
 
+// Squares of the print. Their chords stay within a thousandth of the bow.
+SurfaceMesh BentMesh(const BoardView& view) {
+  constexpr int kSquares = 32;  // a side
+  const BentPlate bent(view);
+  const Eigen::Vector2d size(view.board.width_m, view.board.height_m);
+  SurfaceMesh plate;
+  for (int row = 0; row <= kSquares; ++row) {
+    for (int column = 0; column <= kSquares; ++column) {
+      const Eigen::Vector2d p =
+          (Eigen::Vector2d(column, row) / kSquares - Eigen::Vector2d::Constant(0.5))
+              .cwiseProduct(size);
+      plate.vertices.push_back({bent.At(p).cast<float>(), bent.Normal(p).cast<float>(), 1.0f});
+    }
+  }
+  for (std::uint32_t row = 0; row < kSquares; ++row) {
+    for (std::uint32_t column = 0; column < kSquares; ++column) {
+      const std::uint32_t top = row * (kSquares + 1) + column, low = top + kSquares + 1;
+      for (const std::uint32_t corner : {low, low + 1, top + 1, low, top + 1, top}) {
+        plate.indices.push_back(corner);
+      }
+    }
+  }
+  return plate;
+}
+
 }  // namespace
 
 SurfaceMesh BoardPlate(const BoardView& view) {
+  if (view.flatness_m != 0.0) return BentMesh(view);
   const double half_width = 0.5 * view.board.width_m, half_height = 0.5 * view.board.height_m;
   const Eigen::Vector2d top = Eigen::Vector2d::Constant(-half_height);
   const Eigen::Vector2d bottom = Eigen::Vector2d::Constant(half_height);

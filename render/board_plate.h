@@ -1,4 +1,4 @@
-// The board's white plate as a flat mesh, with the hole for the docking cone.
+// The board's white plate as a mesh: flat with the hole for the docking cone, or bent.
 #pragma once
 
 #include "render/scene.h"

@@ -79,6 +79,10 @@ struct BoardView {
   // Mean share of the ink that has flaked off in patches of 1 to 4 mm, 0 to 0.95, and where.
   double wear = 0.0;
   std::uint64_t wear_seed = 1;
+  // A plate that is bent about a cylinder (bent_plate.h): how far its middle is out to its
+  // viewer over its edges, below zero a hollow, to a tenth of the plate; and the direction in which
+  // it bends, as a bar's rotation.
+  double flatness_m = 0.0, bow_rad = 0.0;
 };
 
 struct TetherView {

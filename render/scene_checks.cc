@@ -1,4 +1,5 @@
 // The conditions on a scene that can be drawn.
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -70,6 +71,11 @@ void CheckBoard(const BoardView& view) {
   DOCKYARD_CHECK(board.tags.empty() || board.fiducials.empty());
   DOCKYARD_CHECK(view.dust_cover >= 0.0 && view.dust_cover <= 0.6);
   DOCKYARD_CHECK(view.wear >= 0.0 && view.wear <= 0.95);
+  constexpr double kMostBow = 0.1;  // of the plate's smaller side
+  DOCKYARD_CHECK(std::isfinite(view.bow_rad) &&
+                 std::abs(view.flatness_m) <=
+                     kMostBow * std::min(board.width_m, board.height_m) + 1e-9);
+  DOCKYARD_CHECK(view.flatness_m == 0.0 || view.hole_radius_m <= 0.0);
   RequirePose(view.X_WB, "the board's");
 }
 

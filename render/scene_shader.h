@@ -154,6 +154,10 @@ class SceneShader {
 
   /// Of pixels first to first + count - 1 of a row, all of whose rays met the board.
   void Board(std::size_t board, const PixelRow& row, int first, int count, Value* radiance) const {
+    if (boards_[board].shader.bent()) {
+      for (int i = 0; i < count; ++i) radiance[i] = OfBentBoard(board, row.At(first + i));
+      return;
+    }
     for (int i = 0; i < count; i += kBoardAtOnce) {
       const int x = first + i, n = std::min(kBoardAtOnce, count - i);
       float shares[kBoardAtOnce];
@@ -167,6 +171,7 @@ class SceneShader {
   }
   /// Of the board that some rays of a pixel met.
   Value BoardPart(const Met& met, const Pixel& pixel) const {
+    if (boards_[met.thing].shader.bent()) return OfBentBoard(met.thing, pixel);
     return OfBoard(met.thing, pixel, objects_.BoardShare(met.thing, met.ray, pixel));
   }
 
@@ -213,12 +218,37 @@ class SceneShader {
     BoardLight<Value> light = b.light;
     const Eigen::Vector3f& plane = objects_.BoardPlane(board);
     const Tan tan = pixel.middle;
-    const Eigen::Vector3f p_C = PointAt(tan, plane.x() * tan.x + plane.y() * tan.y + plane.z());
-    const auto& paints = light_.boards[board];
-    light_.AddLamps(paints.white, p_C, b.n_C, 1.0f, light.white.around);
-    light_.AddLamps(paints.black, p_C, b.n_C, 1.0f, light.black.around);
-    light_.AddLamps(paints.dust, p_C, b.n_C, 1.0f, light.dust.around);
+    AddLampsToBoard(board, PointAt(tan, plane.x() * tan.x + plane.y() * tan.y + plane.z()), b.n_C,
+                    light);
     return b.shader.At(pixel.corners(), share, light);
+  }
+
+  void AddLampsToBoard(std::size_t board, const Eigen::Vector3f& p_C, const Eigen::Vector3f& n_C,
+                       BoardLight<Value>& light) const {
+    const auto& paints = light_.boards[board];
+    light_.AddLamps(paints.white, p_C, n_C, 1.0f, light.white.around);
+    light_.AddLamps(paints.black, p_C, n_C, 1.0f, light.black.around);
+    light_.AddLamps(paints.dust, p_C, n_C, 1.0f, light.dust.around);
+  }
+
+  // Each pixel has a normal of its own. All of its light is in `around`.
+  Value OfBentBoard(std::size_t board, const Pixel& pixel) const {
+    const LitBoard& b = boards_[board];
+    const BoardShader::Spot spot = b.shader.SpotAt(pixel.middle);
+    const Eigen::Vector3f n_U = R_CU_.transpose() * spot.n_C;
+    float share = 0.0f;
+    if (light_.sunlit && n_U.z() > 0.0f) {
+      const float per_z = 1.0f / spot.p_C.z();
+      share = objects_.SunShare({per_z * spot.p_C.x(), per_z * spot.p_C.y()}, per_z, n_U, pixel);
+    }
+    const auto paint = [&](const SurfaceLight<Value>& on) {
+      return typename BoardLight<Value>::Paint{
+          .around = Shade(on.sun, on.sky, on.bounce, n_U.z(), n_U.dot(up_U_), share)};
+    };
+    const auto& paints = light_.boards[board];
+    BoardLight<Value> light{paint(paints.white), paint(paints.black), paint(paints.dust)};
+    if (!light_.lamps.empty()) AddLampsToBoard(board, spot.p_C, spot.n_C, light);
+    return b.shader.At(pixel.corners(), 0.0f, light);
   }
 
   SceneLight<Value> light_;

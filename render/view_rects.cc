@@ -8,18 +8,19 @@ namespace {
 
 std::optional<TanRect> BoardRect(const BoardView& view, const Pose3& X_WC, const TanRect& image) {
   const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
+  // The box that holds a bent one, too.
   TanRect rect{.left = 1e9, .top = 1e9, .right = -1e9, .bottom = -1e9};
-  for (const double x : {-0.5, 0.5}) {
-    for (const double y : {-0.5, 0.5}) {
-      const Eigen::Vector3d p_C =
-          X_CB * Eigen::Vector3d(x * view.board.width_m, y * view.board.height_m, 0.0);
-      if (p_C.z() < 0.05) return std::nullopt;
-      const Eigen::Vector2d tan = p_C.head<2>() / p_C.z();
-      rect.left = std::min(rect.left, tan.x());
-      rect.right = std::max(rect.right, tan.x());
-      rect.top = std::min(rect.top, tan.y());
-      rect.bottom = std::max(rect.bottom, tan.y());
-    }
+  for (int i = 0; i < (view.flatness_m == 0.0 ? 4 : 8); ++i) {
+    const double x = i & 2 ? 0.5 : -0.5, y = i & 1 ? 0.5 : -0.5;
+    const double z = i & 4 ? -std::abs(view.flatness_m) : 0.0;
+    const Eigen::Vector3d p_C =
+        X_CB * Eigen::Vector3d(x * view.board.width_m, y * view.board.height_m, z);
+    if (p_C.z() < 0.05) return std::nullopt;
+    const Eigen::Vector2d tan = p_C.head<2>() / p_C.z();
+    rect.left = std::min(rect.left, tan.x());
+    rect.right = std::max(rect.right, tan.x());
+    rect.top = std::min(rect.top, tan.y());
+    rect.bottom = std::max(rect.bottom, tan.y());
   }
   const double margin = 0.03 * (rect.right - rect.left + rect.bottom - rect.top) + 0.01;
   rect = {std::max(rect.left - margin, image.left), std::max(rect.top - margin, image.top),

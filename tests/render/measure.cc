@@ -40,14 +40,18 @@ Eigen::Vector2d CentroidOfDark(const RadianceImage& image, const Eigen::Vector2d
   return sum / total;
 }
 
+Eigen::Vector3d OnFlatBoard(const Eigen::Vector2d& p_print) {
+  return {p_print.x(), p_print.y(), 0.0};
+}
+
 Eigen::Vector2d ExactBlackCentroid(const FiducialBoard& board, const Fiducial& fiducial,
-                                   const Camera& camera, const Pose3& X_CB) {
+                                   const Camera& camera, const Pose3& X_CB,
+                                   const PlaceOfPrint& place) {
   constexpr int kCells = 120;
   const double radius = 0.5 * board.disc_diameter_m, cell = 2.0 * radius / kCells;
   const Eigen::Vector2d along(std::cos(fiducial.rotation), -std::sin(fiducial.rotation));
   const auto project = [&](double x, double y) {
-    return *camera.Project(X_CB *
-                           Eigen::Vector3d(fiducial.p_BF.x() + x, fiducial.p_BF.y() + y, 0.0));
+    return *camera.Project(X_CB * place({fiducial.p_BF.x() + x, fiducial.p_BF.y() + y}));
   };
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double total = 0.0;
