@@ -20,6 +20,9 @@ struct BoardFit {
   Pose3 X_LB;         // B: x right and y down as a viewer sees it, z into the dock
   double dust = 0.0;  // mean share of its face under dust
   double wear = 0.0;  // share of the ink that is gone
+  // How far its middle is out to its viewer over its edges, below zero a hollow, bent about a
+  // cylinder; and the direction in which it bends, from B's x counter-clockwise for its viewer.
+  double flatness_m = 0.0, bow_rad = 0.0;
 };
 
 /// D: the root link's frame, on the ground; x out to where robots come from, z up.

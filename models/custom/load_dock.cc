@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "models/custom/load_robot.h"
@@ -22,6 +23,9 @@ namespace dockyard::custom {
 namespace {
 
 constexpr std::size_t kMostBoards = 8;
+// A bow of more than this share of the smaller side is no board that is flat by its drawing.
+// Assumed, 0.02-0.2.
+constexpr double kMostBow = 0.1;
 
 /// A board's mapping: where it is on which link, and its own file.
 struct BoardFile {
@@ -34,6 +38,7 @@ struct BoardFile {
 /// What is built off the drawing, of all boards and of all pins and pads.
 struct DockErrors {
   double print_scale = 1.0, dust = 0.0, wear = 0.0;
+  double flatness_m = 0.0, bow_rad = 0.0;
   RollPitchYaw board_turn;
   Eigen::Vector3d board_L{0, 0, 0}, pin_L{0, 0, 0};
   double pin_force_scale = 1.0;
@@ -90,6 +95,12 @@ void VisitErrors(Keys& keys, DockErrors& errors) {
               errors.dust, Between(0.0, 0.6));
     in.Number({"wear", "", "share of the ink that is gone, more than their own"}, errors.wear,
               Between(0.0, 0.6));
+    in.Number({"flatness_m", "m",
+               "of all boards: how far the middle is out over the edges, below 0 a hollow; to "
+               "a tenth of the smaller side"},
+              errors.flatness_m, Between(-0.5, 0.5));
+    in.Degrees({"bow_deg", "deg", "in which they bend: 0 across, 90 up"}, errors.bow_rad,
+               Between(-180.0, 180.0));
     VisitShift(in, "of all boards off their places", errors.board_L);
     in.Degrees({"roll_deg", "deg", "of all boards, about their normals"}, errors.board_turn.roll,
                Between(-30.0, 30.0));
@@ -158,6 +169,16 @@ void ScalePrint(double scale, FiducialBoard& board) {
   }
 }
 
+void CheckFlatness(const YamlReader& in, const BoardFit& fit) {
+  const double most_m = kMostBow * std::min(fit.board.width_m, fit.board.height_m);
+  if (std::abs(fit.flatness_m) <= most_m) return;
+  const YamlNode& node = *in.Child("boards_as_built").Find("flatness_m");
+  throw ConfigError(node.place.Text() + ": boards_as_built.flatness_m: expected at most " +
+                    NumberText(std::round(1e5 * most_m) / 1e5) +
+                    " m to either side, a tenth of the smaller side of board '" + fit.name +
+                    "', found " + node.Found());
+}
+
 void TakeBoards(const YamlReader& in, const DockFile& file, DockModel& dock) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < file.boards.size(); ++i) {
@@ -170,7 +191,10 @@ void TakeBoards(const YamlReader& in, const DockFile& file, DockModel& dock) {
                  .link = frame.link,
                  .X_LB = frame.X_LF * PoseOf(each, file.errors),
                  .dust = std::min(0.6, each.dust + file.errors.dust),
-                 .wear = std::min(0.6, each.wear + file.errors.wear)};
+                 .wear = std::min(0.6, each.wear + file.errors.wear),
+                 .flatness_m = file.errors.flatness_m,
+                 .bow_rad = file.errors.bow_rad};
+    CheckFlatness(in, fit);
     ScalePrint(each.print_scale * file.errors.print_scale, fit.board);
     dock.boards.push_back(std::move(fit));
   }
@@ -180,9 +204,10 @@ void TakeBoards(const YamlReader& in, const DockFile& file, DockModel& dock) {
 void PutErrorsIfLeftOut(YamlNode& root) {
   for (const char* key :
        {"place.x_m", "place.y_m", "place.yaw_deg", "boards_as_built.dust", "boards_as_built.wear",
-        "boards_as_built.x_m", "boards_as_built.y_m", "boards_as_built.z_m",
-        "boards_as_built.roll_deg", "boards_as_built.pitch_deg", "boards_as_built.yaw_deg",
-        "pins_as_built.x_m", "pins_as_built.y_m", "pins_as_built.z_m"}) {
+        "boards_as_built.flatness_m", "boards_as_built.bow_deg", "boards_as_built.x_m",
+        "boards_as_built.y_m", "boards_as_built.z_m", "boards_as_built.roll_deg",
+        "boards_as_built.pitch_deg", "boards_as_built.yaw_deg", "pins_as_built.x_m",
+        "pins_as_built.y_m", "pins_as_built.z_m"}) {
     PutIfLeftOut(root, key, 0.0);
   }
   for (const char* key :

@@ -165,6 +165,8 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, int carri
     view.X_WB = truth.X_WK[static_cast<std::size_t>(fit.link)] * fit.X_LB;
     view.dust_cover = fit.dust;
     view.wear = fit.wear;
+    view.flatness_m = fit.flatness_m;
+    view.bow_rad = fit.bow_rad;
     view.dust_seed = dust_seed_;
     view.dust_albedo = floor_rgb_;
     scene.boards.push_back(view);

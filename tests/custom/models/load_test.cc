@@ -87,6 +87,40 @@ TEST(LoadRobot, RefusesTwoSensorsOfOneName) {
               HasSubstr("range_finders[1].name: expected a name of its own, found a second 'a'"));
 }
 
+std::string DockRefusal(const std::string& built_text) {
+  const YamlNode built = ParseYaml(built_text, "built.yaml");
+  try {
+    LoadDock(ChargerFile("dock/dock.yaml"), {nullptr, &built});
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LoadDock, BendsWhatIsBuiltAndTellsTheControllerOfAFlatBoard) {
+  const YamlNode built =
+      ParseYaml("boards_as_built: {flatness_m: {plus: -0.002}, bow_deg: 90}", "built.yaml");
+  const DockModel drawn = LoadDock(ChargerFile("dock/dock.yaml"));
+  const DockModel dock = LoadDock(ChargerFile("dock/dock.yaml"), {nullptr, &built});
+  EXPECT_EQ(drawn.boards[0].flatness_m, 0.0);
+  EXPECT_DOUBLE_EQ(dock.boards[0].flatness_m, -0.002);
+  EXPECT_DOUBLE_EQ(dock.boards[0].bow_rad, Radians(90.0));
+  const RobotModel robot = LoadRobot(ChargerFile("robot/robot.yaml"));
+  const DockBoard flat = MakeNominal(robot, drawn).boards[0],
+                  bent = MakeNominal(robot, dock).boards[0];
+  EXPECT_EQ(flat.X_DB.p, bent.X_DB.p);
+  EXPECT_EQ(flat.X_DB.R, bent.X_DB.R);
+  EXPECT_EQ(flat.board.tags[0].size_m, bent.board.tags[0].size_m);
+}
+
+// A tenth of the 160 mm of its board.
+TEST(LoadDock, RefusesABowBeyondATenthOfTheBoard) {
+  EXPECT_EQ(DockRefusal("boards_as_built: {flatness_m: -0.016}"), "");
+  EXPECT_THAT(DockRefusal("{boards_as_built: {flatness_m: -0.017}}"),
+              HasSubstr("built.yaml:1:32: boards_as_built.flatness_m: expected at most 0.016 m to "
+                        "either side, a tenth of the smaller side of board 'tag', found '-0.017'"));
+}
+
 TEST(LoadDock, ScalesPrintAndMass) {
   const YamlNode built = ParseYaml(
       "{mass_scale: {times: 1.5}, boards: [{name: tag, file: " + ChargerFile("dock/tag.yaml") +
