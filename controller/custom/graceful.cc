@@ -1,8 +1,5 @@
 #include "controller/custom/graceful.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "controller/custom/pilot.h"
 
 namespace dockyard::custom {
@@ -29,10 +26,7 @@ std::string FaultOf(const DockingOptions& options) {
 
 MadeController MakeGracefulController(const Nominal& nominal) {
   if (nominal.boards.empty()) return Refusal{"dock: expected a board of marks"};
-  const bool has_discs =
-      std::all_of(nominal.boards.begin(), nominal.boards.end(),
-                  [](const DockBoard& board) { return !board.board.fiducials.empty(); });
-  auto perceive = has_discs ? PerceiveDiscs(nominal) : PerceiveTags(nominal);
+  auto perceive = PerceiveMarks(nominal);
   if (!perceive) return perceive.error();
   return MakeGracefulController(nominal, *perceive);
 }

@@ -44,6 +44,9 @@ Result<Perceive, Refusal> PerceiveDiscs(const Nominal& nominal);
 /// Boards of square tags, each of one family.
 Result<Perceive, Refusal> PerceiveTags(const Nominal& nominal);
 
+/// Boards of either kind, each with discs or with tags.
+Result<Perceive, Refusal> PerceiveMarks(const Nominal& nominal);
+
 /// The image in grey: luminance of ITU-R BT.601 from colours.
 GrayImage GreyOf(const CameraImage& image);
 

@@ -64,6 +64,30 @@ TEST(PerceiveDiscs, GivesThePoseOfADrawnBoardAsOneOfItsBranches) {
   EXPECT_LT(nearest, 22.5);  // chi-square, 6 degrees of freedom, 99.9 %
 }
 
+// The tag is not in the image.
+TEST(PerceiveMarks, LocatesABoardOfDiscsNextToOneOfTagsByItsOwnNumber) {
+  Nominal nominal = NominalOf();
+  nominal.cameras[0].camera = EquidistantCamera(320, 240, Radians(40.0));
+  nominal.boards[0].board.upright = {Upright::Against::kGravity, Radians(30.0)};
+  const DockBoard discs = nominal.boards[0];
+  DockBoard tags = discs;
+  tags.name = "tags";
+  tags.board.fiducials.clear();
+  tags.board.tags = {{.family = "tag36h11", .id = 7, .size_m = 0.1}};
+  const Pose3 X_DR = FromGround({0.75, 0.12, -2.95}, 0.0);
+  const Pose3 X_CB = Inverse(X_DR * nominal.cameras[0].X_RC) * discs.X_DB;
+  const CameraImage image{0, Draw(nominal.cameras[0].camera, X_CB, discs.board), 40, 0.0};
+  const auto alone = (*PerceiveDiscs(nominal))(image, Eigen::Vector3d::UnitZ());
+  nominal.boards = {tags, discs};
+  const auto sightings = (*PerceiveMarks(nominal))(image, Eigen::Vector3d::UnitZ());
+  ASSERT_EQ(sightings.size(), 2u);
+  EXPECT_EQ(sightings[0].board, 0);
+  EXPECT_EQ(sightings[0].failure, "no tag of the board");
+  EXPECT_EQ(sightings[1].board, 1);
+  ASSERT_FALSE(sightings[1].branches.empty());
+  EXPECT_EQ(sightings[1].branches[0].X_CB.p, alone[0].branches[0].X_CB.p);
+}
+
 TEST(PerceiveDiscs, OfAnEmptyImageSaysWhyThereIsNoPose) {
   const Nominal nominal = NominalOf();
   const CameraImage image{0, GrayImage{64, 48, std::vector<std::uint8_t>(64 * 48, 90)}, 0, 0.0};

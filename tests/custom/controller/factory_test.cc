@@ -18,6 +18,15 @@ TEST(MakeGracefulController, TakesARobotWithTwoWheelsAndABoardOfDiscs) {
   EXPECT_EQ(ReasonFor(NominalOf()), "");
 }
 
+TEST(MakeGracefulController, TakesABoardOfTagsNextToOneOfDiscs) {
+  Nominal nominal = NominalOf();
+  DockBoard tags = nominal.boards[0];
+  tags.board.fiducials.clear();
+  tags.board.tags = {{.family = "tag36h11", .id = 7, .size_m = 0.1}};
+  nominal.boards.push_back(tags);
+  EXPECT_EQ(ReasonFor(nominal), "");
+}
+
 TEST(MakeGracefulController, SaysWhichPartItCannotUse) {
   Nominal nominal = NominalOf();
   nominal.boards[0].board.fiducials.clear();
