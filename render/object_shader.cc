@@ -124,7 +124,7 @@ DOCKYARD_TWO_WIDTHS
 void ObjectShader::SharesAt(const Places& at, const Fineness& fineness, const PixelRow& row,
                             int first, int count, float* shares) const {
   constexpr int kMost = kBoardAtOnce;
-  float u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost];
+  float u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost], blur_m[kMost];
   const float *x = at.x.data(), *y = at.y.data(), *z = at.z.data();
   const Eigen::Vector3f p = p_UC_;
   const Eigen::Matrix3f m = R_UC_, g = R_GC_;
@@ -137,24 +137,29 @@ void ObjectShader::SharesAt(const Places& at, const Fineness& fineness, const Pi
   for (int i = 0; i < count; ++i) {
     g_z[i] = above + (g(2, 0) * x[i] + (g(2, 1) * y[i] + g(2, 2) * z[i]));
   }
-  shadow_.PlainOf({u_x, u_y, u_z, at.slope_x.data(), at.slope_y.data()}, count, fineness.bias_m,
-                  fineness.in_plane, shares);
+  const float *ax = &row.along_x[first], *ay = &row.along_y[first];
+  const float *dx = &row.down_x[first], *dy = &row.down_y[first];
+  for (int i = 0; i < count; ++i) {  // Pixel::blur
+    blur_m[i] =
+        0.25f * (std::abs(ax[i]) + std::abs(ay[i]) + std::abs(dx[i]) + std::abs(dy[i])) * z[i];
+  }
+  shadow_.PlainOf({u_x, u_y, u_z, at.slope_x.data(), at.slope_y.data(), blur_m}, count,
+                  fineness.bias_m, fineness.in_plane, shares);
   for (int i = 0; i < count; ++i) {
+    const bool free = horizon_.IsFreeAt(g_z[i]);
+    if (free && shares[i] >= 0.0f) continue;
     const float over_ground =
-        horizon_.IsFreeAt(g_z[i])
-            ? 1.0f
-            : horizon_.Share(p_GC_ + R_GC_ * Eigen::Vector3f(x[i], y[i], z[i]));
+        free ? 1.0f : horizon_.Share(p_GC_ + R_GC_ * Eigen::Vector3f(x[i], y[i], z[i]));
     if (over_ground == 0.0f || shares[i] >= 0.0f) {
       shares[i] = over_ground == 0.0f ? 0.0f : over_ground * shares[i];
       continue;
     }
-    const Pixel pixel = row.At(first + i);
     shares[i] = over_ground * shadow_.Partly({.p = {u_x[i], u_y[i], u_z[i]},
                                               .slopes = {at.slope_x[i], at.slope_y[i]},
                                               .bias_m = fineness.bias_m,
-                                              .blur_m = pixel.blur() * z[i],
-                                              .pixel_x = pixel.column,
-                                              .pixel_y = pixel.row,
+                                              .blur_m = blur_m[i],
+                                              .pixel_x = first + i,
+                                              .pixel_y = row.number,
                                               .in_plane = fineness.in_plane},
                                              fineness.searches, fineness.points);
   }

@@ -118,6 +118,7 @@ void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
   coarse_ = window(fit.coarse);
   fine_ = window(fit.fine);
   plane_tiles_.clear();
+  blocks_.Clear();
   ReduceTiles();
 }
 

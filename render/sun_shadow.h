@@ -7,6 +7,7 @@
 
 #include "controller/geometry/pose.h"
 #include "render/four_floats.h"
+#include "render/shadow_blocks.h"
 #include "render/surface_mesh.h"
 
 namespace dockyard {
@@ -101,8 +102,10 @@ class SunShadow {
   /// Places side by side, as arrays: see Place.
   struct Places {
     const float *p_x, *p_y, *p_z, *slope_x, *slope_y;
+    const float* blur_m = nullptr;  // with it, of places without a length, more is found
   };
-  /// What Plain gives for each of count places with one bias.
+  /// What Plain gives for each of count places with one bias; with a blur also what blocks of
+  /// texels tell.
   void PlainOf(const Places& places, int count, float bias_m, bool in_plane, float* shares) const;
 
   SunShadow();
@@ -113,7 +116,7 @@ class SunShadow {
   static constexpr float kMaxReach = kTile * kSpread;  // texels
   static constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
   static constexpr float kEdge = kMaxReach + 2.0f;  // texels next to the border, not used
-  static constexpr float kNoCaster = -1e9f;
+  static constexpr float kNoCaster = ShadowBlocks::kNoCaster;
   struct Bounds {
     float highest = 0.0f, lowest = 0.0f;  // caster over a tile and those around it, along U's z [m]
   };
@@ -144,6 +147,10 @@ class SunShadow {
   std::size_t TileAt(const Spot& spot) const;
   // The share where all casters as near as the points can lie agree, without any point; else -1.
   float PlainNear(const Spot& spot, const Place& place, float reach) const;
+  // The same by a block of texels, where the place before had the surface's slopes. x, y: as of a
+  // spot.
+  float PlainInBlock(float x, float y, float z_m, const ShadowBlocks::Rises& rises, float bias_m,
+                     float reach) const;
   float Penumbra(const Spot& spot, const Place& place, const Eigen::Vector2f& turn, float reach,
                  int searches, int points) const;
   // How far the texels at the first points of a disc about the spot stand over the place's plane;
@@ -161,6 +168,7 @@ class SunShadow {
   std::vector<Bounds> tiles_, near_tiles_, around_;  // near: over a tile and those next to it
   std::vector<float> nearest_, farthest_;            // of a row of tiles, texel by texel
   std::vector<Bounds> plane_tiles_;  // of the fine window, heights over the plane; empty: no plane
+  mutable ShadowBlocks blocks_;      // kept for speed: what places see does not depend on it
   Window coarse_{}, fine_{};
   float top_ = 0.0f, range_ = 1.0f, sun_radius_ = 0.0f;
 };

@@ -14,7 +14,7 @@ constexpr float kOutermost = 0.5f - 0.5f / kParts;  // of their middles
 
 }  // namespace
 
-SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
+[[gnu::always_inline]] inline SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
   const Eigen::Vector3f& p = place.p;
   Spot spot;
   const auto inside = [&](const Window& window) {
@@ -52,6 +52,22 @@ float SunShadow::Plain(const Place& place) const {
   return -1.0f;
 }
 
+// The points of a disc lie inside of it, so that none is beyond the block's margin.
+[[gnu::always_inline]] inline float SunShadow::PlainInBlock(float x, float y, float z_m,
+                                                            const ShadowBlocks::Rises& rises,
+                                                            float bias_m, float reach) const {
+  if (!blocks_.Repeats(rises) || reach > static_cast<float>(ShadowBlocks::kMargin)) return -1.0f;
+  const int column = static_cast<int>(x) & -ShadowBlocks::kSide;
+  const int row = static_cast<int>(y) & -ShadowBlocks::kSide;
+  const ShadowBlocks::Bounds bounds =
+      blocks_.Over({depth_.data(), width_, top_, range_}, column, row, rises);
+  const float corner =
+      z_m - rises.x * (x - static_cast<float>(column)) - rises.y * (y - static_cast<float>(row));
+  if (bounds.highest < corner + bias_m - kSlack_m) return 1.0f;
+  if (bounds.lowest > corner + bias_m + kSlack_m) return 0.0f;
+  return -1.0f;
+}
+
 // Loops of few arrays without branches, which the compiler takes many at a time.
 DOCKYARD_TWO_WIDTHS
 void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane,
@@ -69,6 +85,7 @@ void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane
     const float *slope_x = at.slope_x + first, *slope_y = at.slope_y + first;
     std::int32_t tile[kAtOnce], plane_tile[kAtOnce];
     float sway[kAtOnce], highest[kAtOnce], lowest[kAtOnce];
+    float spot_x[kAtOnce], spot_y[kAtOnce], texel_m[kAtOnce], per_texel[kAtOnce];
     std::int32_t in_fine[kAtOnce], in_any[kAtOnce];
     for (int i = 0; i < n; ++i) {
       const float fx = (p_x[i] - fine.center_x) * fine.per_texel + fine.middle;
@@ -86,8 +103,11 @@ void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane
       plane_tile[i] = is_fine ? row * plane_tiles + column - fine.column / kTile : 0;
       in_fine[i] = is_fine;
       in_any[i] = is_fine | is_coarse;
-      sway[i] = (std::abs(slope_x[i]) + std::abs(slope_y[i])) *
-                (is_fine ? fine.texel_m : coarse.texel_m) * kBoundsReach;
+      spot_x[i] = x;
+      spot_y[i] = y;
+      texel_m[i] = is_fine ? fine.texel_m : coarse.texel_m;
+      per_texel[i] = is_fine ? fine.per_texel : coarse.per_texel;
+      sway[i] = (std::abs(slope_x[i]) + std::abs(slope_y[i])) * texel_m[i] * kBoundsReach;
     }
     for (int i = 0; i < n; ++i) {
       highest[i] = tiles_[static_cast<std::size_t>(tile[i])].highest;
@@ -99,13 +119,27 @@ void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane
       const bool dark = lowest[i] > p_z[i] + sway[i] + bias_m;
       share[i] = lit ? 1.0f : dark ? 0.0f : -1.0f;
     }
-    if (!by_plane) continue;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; by_plane && i < n; ++i) {
       const Bounds& over = plane_tiles_[static_cast<std::size_t>(plane_tile[i])];
       const bool open = (share[i] < 0.0f) & (in_fine[i] != 0);
       const bool lit = open & (over.highest < bias_m - kSlack_m);
       const bool dark = open & (over.lowest > bias_m + kSlack_m);
       share[i] = lit ? 1.0f : dark ? 0.0f : share[i];
+    }
+    if (at.blur_m == nullptr) continue;
+    const float* blur_m = at.blur_m + first;
+    float reach[kAtOnce], rise_x[kAtOnce], rise_y[kAtOnce];
+    const float sun_radius = sun_radius_;
+    for (int i = 0; i < n; ++i) {
+      const float penumbra_m = sun_radius * (highest[i] - p_z[i] + sway[i]);
+      reach[i] = (penumbra_m < blur_m[i] ? blur_m[i] : penumbra_m) * per_texel[i];
+      rise_x[i] = slope_x[i] * texel_m[i];
+      rise_y[i] = slope_y[i] * texel_m[i];
+    }
+    for (int i = 0; i < n; ++i) {
+      if (share[i] >= 0.0f) continue;
+      share[i] =
+          PlainInBlock(spot_x[i], spot_y[i], p_z[i], {rise_x[i], rise_y[i]}, bias_m, reach[i]);
     }
   }
 }
@@ -145,6 +179,11 @@ int SunShadow::Turn(int pixel_x, int pixel_y) {
 [[gnu::always_inline]] inline float SunShadow::Penumbra(const Spot& spot, const Place& place,
                                                         const Eigen::Vector2f& turn, float reach,
                                                         int searches, int points) const {
+  const float texel_m = spot.window->texel_m;
+  const float plain =
+      PlainInBlock(spot.x, spot.y, place.p.z(),
+                   {place.slopes.x * texel_m, place.slopes.y * texel_m}, place.bias_m, reach);
+  if (plain >= 0.0f) return plain;
   Gaps gaps{};
   const float bias = place.bias_m;
   const auto standing = [&](int count) {
