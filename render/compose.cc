@@ -52,9 +52,13 @@ class Composer {
       Part(held_[first] ? *close_ : wide_, first, last, radiance);
     }
   }
-  /// 1/z of the surface in the middle of a pixel of the last row, thin bodies aside.
-  float InverseDepthAt(int x) const {
-    return InverseDepth(wide_.sampler.At(Tan{row_.x[x], row_.y[x]}).code);
+  /// 1/z of the surfaces in the middles of the last row's pixels, thin bodies aside.
+  void InverseDepths(int count, float* inverse_depth) {
+    int* middles = rays_.at[0].data();
+    wide_.sampler.FindMiddles(row_, count, middles);
+    for (int x = 0; x < count; ++x) {
+      inverse_depth[x] = InverseDepth(wide_.sampler.At(middles[x]).code);
+    }
   }
 
  private:
@@ -304,13 +308,13 @@ RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatVie
   RadianceImage image{
       .width = grid.width, .height = grid.height, .values = {}, .inverse_depth = {}};
   image.values.resize(static_cast<std::size_t>(grid.width) * grid.height);
+  if (with_depth) image.inverse_depth.resize(image.values.size());
   Composer<float> composer(grid.width, wide, close,
                            {lit, LightIn(lit.scene, channel, X_WC), X_WC, channel});
   for (int y = 0; y < grid.height; ++y) {
-    composer.Row(grid, y, {0, grid.width}, &image.values[static_cast<std::size_t>(y) * grid.width]);
-    for (int x = 0; with_depth && x < grid.width; ++x) {
-      image.inverse_depth.push_back(composer.InverseDepthAt(x));
-    }
+    const std::size_t at = static_cast<std::size_t>(y) * grid.width;
+    composer.Row(grid, y, {0, grid.width}, &image.values[at]);
+    if (with_depth) composer.InverseDepths(grid.width, &image.inverse_depth[at]);
   }
   return image;
 }

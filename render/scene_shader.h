@@ -2,6 +2,7 @@
 // float, colour as Rgb. No GL.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -124,31 +125,18 @@ class SceneShader {
   /// in here.
   void OfFacets(const std::uint32_t* words, FacetRow& facets, const PixelRow& row, int first,
                 int count, Value* radiance) const {
-    std::array<float, kFacetsAtOnce> shares{}, to_zenith;
-    Eigen::Vector3f n;
-    for (int i = 0; i < count; ++i) {
-      if (i == 0 || words[i] != words[i - 1]) n = UnpackNormal({.object = words[i]}, bits_);
-      facets.n_x[i] = n.x();
-      facets.n_y[i] = n.y();
-      facets.n_z[i] = n.z();
-      to_zenith[i] = n.dot(up_U_);
+    std::array<float, kFacetsAtOnce> shares{};
+    for (int i = 0, end; i < count; i = end) {
+      end = EndOfFacet(words, i, count);
+      const Eigen::Vector3f n = UnpackNormal({.object = words[i]}, bits_);
+      std::fill(&facets.n_x[i], &facets.n_x[i] + (end - i), n.x());
+      std::fill(&facets.n_y[i], &facets.n_y[i] + (end - i), n.y());
+      std::fill(&facets.n_z[i], &facets.n_z[i] + (end - i), n.z());
     }
     if (light_.sunlit) objects_.FacetShares(facets, row, first, count, shares.data());
-    for (int i = 0; i < count; ++i) {
-      const auto object = static_cast<std::size_t>(ObjectOf({.object = words[i]}, bits_));
-      const SurfaceLight<Value>& on = light_.surfaces[light_.objects[object]];
-      const float share = facets.n_z[i] > 0.0f ? shares[i] : 0.0f;
-      radiance[i] = Shade(on.sun, on.sky, on.bounce, facets.n_z[i], to_zenith[i], share);
-      if (light_.lamps.empty() && !objects_.HasStains(object)) continue;
-      const Eigen::Vector3f normal(facets.n_x[i], facets.n_y[i], facets.n_z[i]);
-      const Tan from{facets.from_x[i], facets.from_y[i]};
-      const float inverse_depth = facets.inverse_depth[i];
-      const Pixel pixel = row.At(first + i);
-      if (!light_.lamps.empty()) {
-        light_.AddLamps(on, PointAt(from, inverse_depth), R_CU_ * normal, 1.0f, radiance[i]);
-      }
-      radiance[i] =
-          objects_.Stain(object, from, MeanRay(pixel), inverse_depth, normal, pixel) * radiance[i];
+    for (int i = 0, end; i < count; i = end) {
+      end = EndOfFacet(words, i, count);
+      OfFacet(words[i], facets, row, first, i, end, shares.data(), radiance);
     }
   }
 
@@ -199,6 +187,35 @@ class SceneShader {
     Eigen::Vector3f n_C;
   };
 
+  static int EndOfFacet(const std::uint32_t* words, int from, int count) {
+    int end = from + 1;
+    while (end < count && words[end] == words[from]) ++end;
+    return end;
+  }
+  // Pixels from to end - 1 of OfFacets, all of one facet.
+  void OfFacet(std::uint32_t word, const FacetRow& facets, const PixelRow& row, int first, int from,
+               int end, const float* shares, Value* radiance) const {
+    const auto object = static_cast<std::size_t>(ObjectOf({.object = word}, bits_));
+    const SurfaceLight<Value>& on = light_.surfaces[light_.objects[object]];
+    const Value sun = on.sun, sky = on.sky, bounce = on.bounce;
+    const Eigen::Vector3f normal(facets.n_x[from], facets.n_y[from], facets.n_z[from]);
+    const float to_sun = normal.z(), to_zenith = normal.dot(up_U_);
+    for (int i = from; i < end; ++i) {
+      const float share = to_sun > 0.0f ? shares[i] : 0.0f;
+      radiance[i] = Shade(sun, sky, bounce, to_sun, to_zenith, share);
+    }
+    if (light_.lamps.empty() && !objects_.HasStains(object)) return;
+    for (int i = from; i < end; ++i) {
+      const Tan known{facets.from_x[i], facets.from_y[i]};
+      const float inverse_depth = facets.inverse_depth[i];
+      const Pixel pixel = row.At(first + i);
+      if (!light_.lamps.empty()) {
+        light_.AddLamps(on, PointAt(known, inverse_depth), R_CU_ * normal, 1.0f, radiance[i]);
+      }
+      radiance[i] =
+          objects_.Stain(object, known, MeanRay(pixel), inverse_depth, normal, pixel) * radiance[i];
+    }
+  }
   static Tan MeanRay(const Pixel& pixel) {
     Tan sum;
     for (int k = 0; k < kRays; ++k) {

@@ -91,6 +91,19 @@ void ViewSampler::MeanFrom(const RowRays& rays, int first, int count, float* __r
   mean(rays.lines, per_sy_, y0_, y);
 }
 
+DOCKYARD_TWO_WIDTHS
+void ViewSampler::FindMiddles(const PixelRow& row, int count, int* __restrict places) const {
+  const float* __restrict x = row.x.data();
+  const float* __restrict y = row.y.data();
+  const float x0 = x0_, y0 = y0_, sx = sx_, sy = sy_;
+  const int width = view_.width;
+  for (int i = 0; i < count; ++i) {
+    const int column = static_cast<int>((x[i] - x0) * sx),
+              line = static_cast<int>((y[i] - y0) * sy);
+    places[i] = line * width + column;
+  }
+}
+
 void ViewSampler::Hold(const PixelRow& row, int count, std::uint8_t* held) const {
   Mark(row, 0, count, view_.rect, true, held);
 }

@@ -66,6 +66,8 @@ class ViewSampler {
   void Find(const PixelRow& row, int first, int last, RowRays& rays) const;
   /// Of pixels first to first + count - 1: the mean of From of a pixel's four rays.
   void MeanFrom(const RowRays& rays, int first, int count, float* x, float* y) const;
+  /// Of count pixels from the row's first: the place of the ray in each one's middle.
+  void FindMiddles(const PixelRow& row, int count, int* places) const;
   /// Which of count pixels have their whole footprint in the view: 1, else 0.
   void Hold(const PixelRow& row, int count, std::uint8_t* held) const;
   /// Which of pixels first to last - 1 a thin body may touch.
