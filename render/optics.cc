@@ -262,9 +262,21 @@ void CheckOptics(const SensorOptions& s) {
   DOCKYARD_CHECK(focus.f_number > 0.0 && focus.pixel_pitch_m > 0.0);
 }
 
-void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image) {
+RadianceImage FalloffOf(const Camera& camera, double exponent) {
+  RadianceImage even{.width = camera.width, .height = camera.height, .values = {}};
+  even.values.assign(static_cast<std::size_t>(camera.width) * camera.height, 1.0f);
+  ApplyVignetting(camera, exponent, even);
+  return even;
+}
+
+void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image,
+                 const RadianceImage* falloff) {
   Defocus(sensor.focus, image);
-  ApplyVignetting(camera, sensor.vignetting_exponent, image);
+  if (falloff) {
+    for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] *= falloff->values[i];
+  } else {
+    ApplyVignetting(camera, sensor.vignetting_exponent, image);
+  }
   Blur(sensor.blur_sigma_px, image);
 }
 

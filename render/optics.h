@@ -15,7 +15,11 @@ void CheckOptics(const SensorOptions& sensor);
 /// Gaussian blur; the border's values go on beyond it. 0: none.
 void Blur(double sigma_px, RadianceImage& image);
 
-/// Defocus needs the view's depths.
-void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image);
+/// Share of the light that the lens lets through to each pixel.
+RadianceImage FalloffOf(const Camera& camera, double exponent);
+
+/// Defocus needs the view's depths. falloff: FalloffOf, where it is known.
+void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image,
+                 const RadianceImage* falloff = nullptr);
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 
 #include "controller/base/check.h"
 #include "controller/base/two_widths.h"
+#include "render/kept_sensor.h"
 #include "render/optics.h"
 #include "render/pixel_noise.h"
 #include "render/shading.h"
@@ -74,9 +75,16 @@ double Gain(std::span<const RadianceImage> images, const SensorOptions& s) {
   return stops * s.target_level * s.full_well_e / cut;
 }
 
+// The stream of the pixels' responses.
+std::uint64_t PatternOf(const SensorOptions& s, int view) {
+  return SplitMix(s.pattern_key, static_cast<std::uint64_t>(view));
+}
+
+// responses: of the pixels, or null where those are to be found.
 DOCKYARD_TWO_WIDTHS
 DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOptions& s, int view,
-                   std::uint64_t key) {
+                   std::uint64_t key, const float* responses = nullptr) {
+  constexpr std::size_t kAtOnce = 64;
   DeepImage out{.width = image.width, .height = image.height, .bits = s.bits, .pixels = {}};
   out.pixels.resize(image.values.size());
   const auto gain = static_cast<float>(gain_e);
@@ -84,18 +92,33 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   const auto read_variance = read_noise * read_noise;
   const auto most = static_cast<float>((1 << s.bits) - 1);
   const auto levels_per_e = static_cast<float>(most / s.full_well_e);
-  const auto response = static_cast<float>(s.response_sigma);
-  const std::uint64_t pattern = SplitMix(s.pattern_key, static_cast<std::uint64_t>(view));
-  for (std::size_t i = 0; i < out.pixels.size(); ++i) {
-    float electrons = std::max(gain * image.values[i], 0.0f);
-    if (response > 0.0f) electrons *= std::max(1.0f + response * HashNormal(pattern, i), 0.0f);
-    const float normal = HashNormal(key, i);
-    float noisy = electrons + std::sqrt(electrons + read_variance) * normal;
-    if (electrons < kFewElectrons) {
-      noisy = DrawPoisson(electrons, key, i) + read_noise * normal;
+  const auto sigma = static_cast<float>(s.response_sigma);
+  const std::uint64_t pattern = PatternOf(s, view);
+  float electrons[kAtOnce], normal[kAtOnce], noisy[kAtOnce];
+  for (std::size_t first = 0; first < out.pixels.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, out.pixels.size() - first);
+    const float* light = &image.values[first];
+    for (std::size_t i = 0; i < count; ++i) electrons[i] = std::max(gain * light[i], 0.0f);
+    if (sigma > 0.0f && responses) {
+      for (std::size_t i = 0; i < count; ++i) electrons[i] *= responses[first + i];
+    } else if (sigma > 0.0f) {
+      for (std::size_t i = 0; i < count; ++i) {
+        electrons[i] *= std::max(1.0f + sigma * HashNormal(pattern, first + i), 0.0f);
+      }
     }
-    const float level = noisy * levels_per_e + 0.5f;
-    out.pixels[i] = static_cast<std::uint16_t>(std::min(std::max(level, 0.0f), most));
+    for (std::size_t i = 0; i < count; ++i) normal[i] = HashNormal(key, first + i);
+    for (std::size_t i = 0; i < count; ++i) {
+      noisy[i] = electrons[i] + std::sqrt(electrons[i] + read_variance) * normal[i];
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (electrons[i] >= kFewElectrons) continue;
+      noisy[i] = DrawPoisson(electrons[i], key, first + i) + read_noise * normal[i];
+    }
+    std::uint16_t* pixels = &out.pixels[first];
+    for (std::size_t i = 0; i < count; ++i) {
+      const float level = noisy[i] * levels_per_e + 0.5f;
+      pixels[i] = static_cast<std::uint16_t>(std::min(std::max(level, 0.0f), most));
+    }
   }
   return out;
 }
@@ -104,7 +127,7 @@ const Camera& CameraOf(const StereoRig& rig, int view) { return view == 0 ? rig.
 
 // Light on the sensor of the left (0) or right (1) camera.
 RadianceImage ThroughLens(RadianceImage image, const Camera& camera, const SensorOptions& sensor,
-                          int view) {
+                          int view, const RadianceImage* falloff = nullptr) {
   DOCKYARD_CHECK(image.width == camera.width && image.height == camera.height);
   DOCKYARD_CHECK(image.values.size() == static_cast<std::size_t>(camera.width) * camera.height);
   if (sensor.eyes[view] == EyeState::kSilent) return {};
@@ -112,7 +135,7 @@ RadianceImage ThroughLens(RadianceImage image, const Camera& camera, const Senso
   if (sensor.eyes[view] == EyeState::kDark) {
     std::fill(image.values.begin(), image.values.end(), 0.0f);
   }
-  ApplyOptics(camera, sensor, image);
+  ApplyOptics(camera, sensor, image, falloff);
   return image;
 }
 
@@ -128,9 +151,10 @@ GrayImage UpperBits(const DeepImage& deep) {
   GrayImage image{.width = deep.width, .height = deep.height, .pixels = {}};
   image.pixels.resize(deep.pixels.size());
   const int shift = deep.bits - 8;
-  for (std::size_t i = 0; i < deep.pixels.size(); ++i) {
-    image.pixels[i] = static_cast<std::uint8_t>(deep.pixels[i] >> shift);
-  }
+  const std::size_t count = deep.pixels.size();
+  const std::uint16_t* __restrict from = deep.pixels.data();
+  std::uint8_t* __restrict to = image.pixels.data();
+  for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(from[i] >> shift);
   return image;
 }
 
@@ -153,6 +177,18 @@ DeepImage ExposeOne(RadianceImage radiance, const Camera& camera, const SensorOp
 
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor) {
   return UpperBits(ExposeOne(std::move(radiance), camera, sensor));
+}
+
+GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor,
+                     KeptSensor& kept) {
+  CheckSensor(sensor);
+  const auto sigma = static_cast<float>(sensor.response_sigma);
+  const RadianceImage image = ThroughLens(std::move(radiance), camera, sensor, 0,
+                                          &kept.Falloff(camera, sensor.vignetting_exponent));
+  const std::vector<float>& responses =
+      kept.Responses(PatternOf(sensor, 0), sigma, image.values.size());
+  return UpperBits(Digitise(image, Gain({&image, 1}, sensor), sensor, 0,
+                            SplitMix(sensor.noise_key, 0), responses.data()));
 }
 
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,

@@ -55,7 +55,7 @@ GrayImage SimulatedCamera::TakeGrey(StereoRenderer& renderer, const SceneAt& sce
       MotionOverExposure(motion.X_WC.R, motion.v_WC_W, motion.w_WC_W, shutter_s);
   return ExposeGrey(
       OverExposure(MotionIn_px(motion, conditions.nearest_m), built_.camera, moved, view),
-      built_.camera, sensor);
+      built_.camera, sensor, kept_);
 }
 
 RgbImage SimulatedCamera::TakeColour(StereoRenderer& renderer, const Scene& scene,

@@ -7,6 +7,7 @@
 #include "controller/io/sensors.h"
 #include "render/colour_table.h"
 #include "render/colour_view.h"
+#include "render/kept_sensor.h"
 #include "sim/plant/built_cameras.h"
 
 namespace dockyard {
@@ -58,6 +59,7 @@ class SimulatedCamera {
   int number_ = 0, taken_ = 0;
   std::string stream_;
   BuiltOne built_;
+  KeptSensor kept_;
   ColourSensorState colour_state_;
   Tick last_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "render/kept_sensor.h"
 #include "render/measure.h"
 #include "render/scene_samples.h"
 #include "render/shutter.h"
@@ -79,6 +80,31 @@ TEST(GreyView, IsExposedAsTheLeftOneOfAPairOfEqualViews) {
     EXPECT_EQ(ExposeGrey(light, camera, sensor),
               ExposeStereo({light, light}, PairOf(camera), sensor).left);
   }
+}
+
+TEST(GreyView, DoesNotDependOnWhatASensorKeeps) {
+  const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
+  const Camera camera = EquidistantCamera(161, 119, kPi / 2);
+  const Camera other = EquidistantCamera(161, 119, 1.2);
+  const RadianceImage light = StereoRenderer().RenderGrey(yard->scene, camera, InYard(*yard));
+  SensorOptions sensor{.response_sigma = 0.01, .vignetting_exponent = 2.0, .pattern_key = 6};
+  KeptSensor kept;
+  const auto expect_same = [&](const Camera& with) {
+    for (int image = 0; image < 2; ++image) {
+      ++sensor.noise_key;
+      EXPECT_EQ(ExposeGrey(light, with, sensor, kept), ExposeGrey(light, with, sensor));
+    }
+  };
+  expect_same(camera);
+  expect_same(other);
+  sensor.vignetting_exponent = 0.0;
+  expect_same(other);
+  sensor.pattern_key = 7;
+  expect_same(other);
+  sensor.response_sigma = 0.1;
+  expect_same(other);
+  sensor.response_sigma = 0.0;
+  expect_same(other);
 }
 
 TEST(GreyView, OverAnExposureIsTheLeftOneOfThePair) {
