@@ -13,7 +13,8 @@ namespace dockyard {
 namespace {
 
 constexpr std::size_t kMostGroups =
-    8;  // a label with more values is a measure of the start, no group
+    8;                         // a label with more values is a measure of the start, no group
+constexpr int kLeastRuns = 2;  // of a group, on average: the table of runs has single ones
 constexpr std::size_t kMostColumns = 99;
 constexpr std::size_t kMostNumbers = 60;  // of runs with the same cause
 // Beyond so many runs the table shows failures alone, and at most so many of them.
@@ -73,7 +74,10 @@ std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
 void AddGroups(std::string& out, const std::vector<std::vector<Group>>& by_label,
                const RowColumns& columns, const std::string& word) {
   const auto shown = [](const std::vector<Group>& groups) {
-    return groups.size() >= 2 && groups.size() <= kMostGroups;
+    int runs = 0;
+    for (const Group& group : groups) runs += group.runs;
+    return groups.size() >= 2 && groups.size() <= kMostGroups &&
+           runs >= kLeastRuns * static_cast<int>(groups.size());
   };
   std::size_t name_width = 0, value_width = 0;
   for (std::size_t i = 0; i < by_label.size(); ++i) {

@@ -55,14 +55,14 @@ TEST(Summary, OfFourRunsIsThis) {
 
 TEST(Summary, ListsNumbersOfALabelInRisingOrder) {
   FinishedRuns runs;
-  for (const char* angle : {"5", "-10", "0"}) {
+  for (const char* angle : {"5", "-10", "0", "5", "-10", "0"}) {
     RunResult row;
     row.run = static_cast<int>(runs.results.size()) + 1;
     row.labels = {"loose", angle};
     row.outcome = "missed";
     runs.Add({row, {}, ""});
   }
-  EXPECT_THAT(SummaryText("angles", runs, FakeColumns(), 3),
+  EXPECT_THAT(SummaryText("angles", runs, FakeColumns(), 6),
               testing::ContainsRegex(" -10 .*\n.* 0 .*\n.* 5 .*\n\nfailures"));
 }
 
@@ -89,10 +89,19 @@ TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
   EXPECT_THAT(text, HasSubstr("  soil  compact  docked 4/6 (67 %, 22-96 %)\n"
                               "  soil  loose    docked 4/6 (67 %, 22-96 %)\n"));
   EXPECT_THAT(text, Not(HasSubstr("start.r_m  2.5")));  // nine values
-  const std::string eight = SummaryText("fake", FakeResults(8), FakeColumns(), 8);
-  EXPECT_THAT(eight, HasSubstr("  start.r_m  2.5      docked 1/1"));
+  EXPECT_THAT(SummaryText("fake", FourRuns(), FakeColumns(), 4), HasSubstr("  soil  loose"));
   EXPECT_THAT(text, HasSubstr("missed  4   runs 3 6 9 12"));
   EXPECT_THAT(text, Not(HasSubstr("incomplete")));
+}
+
+// Of 8 runs each has its own distance: the table of runs has those.
+TEST(Summary, GroupsByNoLabelWhoseValuesDoNotRepeat) {
+  FinishedRuns runs = FakeResults(8);
+  const std::string single = "  start.r_m  2.5 ";
+  EXPECT_THAT(SummaryText("fake", runs, FakeColumns(), 8), Not(HasSubstr(single)));
+  const FinishedRuns again = FakeResults(8);
+  for (std::size_t i = 0; i < again.size(); ++i) runs.Add({again.results[i], {}, ""});
+  EXPECT_THAT(SummaryText("fake", runs, FakeColumns(), 16), HasSubstr(single));
 }
 
 TEST(Summary, OfACampaignThatWasEnoughIsNotIncomplete) {
