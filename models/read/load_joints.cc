@@ -1,6 +1,7 @@
 #include "models/read/load_joints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -279,7 +280,8 @@ void CheckStarts(const UrdfModel& welded, const OwnLinks& own, const JointedLink
     if (each.start_rad >= each.low_rad && each.start_rad <= each.high_rad) continue;
     throw ConfigError(welded.Joint(each.joint).place +
                       ": expected a start within its limits, found " +
-                      NumberText(each.slides ? each.start_rad : Degrees(each.start_rad)) +
+                      NumberText(each.slides ? std::round(1e5 * each.start_rad) / 1e5
+                                             : std::round(1e3 * Degrees(each.start_rad)) / 1e3) +
                       (each.slides ? " m" : " deg"));
   }
 }

@@ -50,8 +50,8 @@ double Rounded(double value, double per_unit) { return std::round(value * per_un
 std::string Check(const Scenario& scenario, const CustomModels& models) {
   BuildRun(scenario, models);
   const ModelSet& drawn = models.nominal;
-  return drawn.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
-         drawn.dock.name + " on " + drawn.ground.floor.name;
+  return drawn.robot.name + " from " + NumberText(Rounded(scenario.start.on_plane().r, 1e3)) +
+         " m to " + drawn.dock.name + " on " + drawn.ground.floor.name;
 }
 
 std::optional<FileCheck> CheckModelFile(const std::string& file) {

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/scenario/keys.h"
@@ -35,6 +37,12 @@ std::string RangeText(const Range& range) {
   return (range.open_low ? "above " : "") + NumberText(range.low) + " to " + NumberText(range.high);
 }
 
+/// A number of a file, to a thousandth: the code has some angles in round radians.
+std::string Brief(const std::string& number) {
+  const std::optional<double> value = NumberFromText(number);
+  return value && std::abs(*value) >= 0.1 ? NumberText(std::round(1e3 * *value) / 1e3) : number;
+}
+
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -52,7 +60,7 @@ class DocumentArchive : public Keys {
   }
   void Degrees(const Key& key, double& value_rad, const Range& range_deg) override {
     Add(key, Kind::kNumber, RangeText(range_deg),
-        Written([&](Keys& k) { k.Degrees(key, value_rad, range_deg); }));
+        Brief(Written([&](Keys& k) { k.Degrees(key, value_rad, range_deg); })));
   }
   void Integer(const Key& key, int& value, int low, int high) override {
     Add(key, Kind::kInteger, std::to_string(low) + " to " + std::to_string(high),

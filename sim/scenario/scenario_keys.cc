@@ -172,10 +172,11 @@ void CheckTogether(const Scenario& s, const YamlNode& root) {
   const double x = at.r * std::cos(at.alpha), y = at.r * std::sin(at.alpha);
   const double x_end = yard.length_m - kYardBehind_m - kMargin_m;
   const double y_end = 0.5 * yard.width_m - kMargin_m;
+  const auto rounded = [](double value) { return std::round(1e3 * value) / 1e3; };
   if (x > x_end || std::abs(y) > y_end) {
     RefuseValue(root, "start.r_m",
-                "a start inside the yard (x up to " + NumberText(x_end) + " m, y up to +-" +
-                    NumberText(y_end) + " m)");
+                "a start inside the yard (x up to " + NumberText(rounded(x_end)) +
+                    " m, y up to +-" + NumberText(rounded(y_end)) + " m)");
   }
 }
 
