@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "models/read/calibrations.h"
 #include "models/read/config_error.h"
@@ -92,29 +93,42 @@ FileCheck CheckObstacles(const std::string& file) {
                            CountText(obstacles.polygons.size(), "area")};
 }
 
+/// Each once: the runs of a campaign share them.
+void AddDoubts(const System& system, const Scenario& scenario, std::vector<std::string>& warnings) {
+  if (!system.doubts) return;
+  for (const std::string& text : system.doubts(scenario)) {
+    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+      warnings.push_back(text);
+  }
+}
+
 FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
   const Scenario scenario = LoadScenario(file, {}, KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
   const std::string found = system.check(scenario);
   NamedUrdfs urdfs;
   urdfs.AddScenario(scenario, system);
-  return WithUrdfs(
-      urdfs, {"scenario", scenario.name + ": " + found + ", controller " + scenario.controller});
+  FileCheck check{"scenario", scenario.name + ": " + found + ", controller " + scenario.controller};
+  AddDoubts(system, scenario, check.warnings);
+  return WithUrdfs(urdfs, check);
 }
 
 FileCheck CheckCampaign(const std::string& file, const std::vector<System>& systems) {
   const Campaign campaign = LoadCampaign(file, {}, CampaignSystemsOf(systems));
   NamedUrdfs urdfs;
+  std::vector<std::string> doubts;
   CheckRuns(campaign, KnownSystems(systems), [&](const Scenario& scenario) {
     const System& system = FindSystem(systems, scenario.system);
     system.check(scenario);
+    AddDoubts(system, scenario, doubts);
     urdfs.AddScenario(scenario, system);
   });
   const std::string labels = Listed(campaign.labels);
-  return WithUrdfs(urdfs,
-                   {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
-                                    (labels.empty() ? "" : " by " + labels) + "; seed " +
-                                    std::to_string(campaign.seed.number)});
+  return WithUrdfs(urdfs, {"campaign",
+                           campaign.name + ": " + CountText(campaign.run_count(), "run") +
+                               (labels.empty() ? "" : " by " + labels) + "; seed " +
+                               std::to_string(campaign.seed.number),
+                           std::move(doubts)});
 }
 
 FileCheck CheckReproduction(const std::string& file, const std::vector<System>& systems) {

@@ -82,7 +82,12 @@ void WriteReport(const std::filesystem::path& file, const std::filesystem::path&
   PrintNote("report in " + file.string());
 }
 
-int Run(const RunArguments& arguments, const Invocation& call) {
+void WarnOfDoubts(const System& system, const Scenario& scenario, Invocation& call) {
+  if (!system.doubts) return;
+  for (const std::string& text : system.doubts(scenario)) Warn(text, &call.warnings);
+}
+
+int Run(const RunArguments& arguments, Invocation& call) {
   const CampaignRun run = SingleRun(Load(arguments.scenario, call.systems));
   const System& system = FindSystem(call.systems, run.scenario.system);
   const std::filesystem::path report = arguments.report.FileIn(arguments.out_dir);
@@ -94,6 +99,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
   options.run_limit_s = arguments.run_limit_s;
   options.results_dir = options.log_dir;
   RequireAllowed(run.scenario, options);
+  WarnOfDoubts(system, run.scenario, call);
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
   const RunRecord record = Simulate(system, run, options);
   if (!arguments.out_dir.empty()) {

@@ -12,6 +12,7 @@
 #include "sim/custom/custom_judge.h"
 #include "sim/custom/custom_keys.h"
 #include "sim/custom/custom_plant.h"
+#include "sim/custom/findings.h"
 #include "sim/custom/load_models.h"
 #include "sim/custom/nominal_json.h"
 #include "sim/custom/view_start.h"
@@ -58,19 +59,26 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
   const YamlNode root = LoadModelYaml(file);
   if (IsRobotFile(root)) {
     const RobotModel robot = LoadRobot(file);
-    return FileCheck{"robot", robot.name + ": " + NumberText(Rounded(robot.tree.mass_kg(), 1e3)) +
-                                  " kg, " + std::to_string(robot.wheels.size()) + " wheels, " +
-                                  std::to_string(robot.motors.size()) + " motors, " +
-                                  std::to_string(robot.cameras.size()) + " cameras"};
+    const Findings findings = FindInRobot(robot, file);
+    RequireNoFault(findings);
+    return FileCheck{"robot",
+                     robot.name + ": " + NumberText(Rounded(robot.tree.mass_kg(), 1e3)) + " kg, " +
+                         std::to_string(robot.wheels.size()) + " wheels, " +
+                         std::to_string(robot.motors.size()) + " motors, " +
+                         std::to_string(robot.cameras.size()) + " cameras",
+                     findings.doubts};
   }
   if (IsDockFile(root)) {
     const DockModel dock = LoadDock(file);
+    const Findings findings = FindInDock(dock, file);
+    RequireNoFault(findings);
     return FileCheck{"dock",
                      dock.name + ": " + NumberText(Rounded(dock.tree.mass_kg(), 1e3)) + " kg, " +
                          (dock.fixed ? "fixed" : "on the floor") + ", " +
                          std::to_string(dock.boards.size()) + " boards, " +
                          std::to_string(dock.electrical.pins.size() + dock.electrical.pads.size()) +
-                         " pins and pads"};
+                         " pins and pads",
+                     findings.doubts};
   }
   if (root.Find("rolling_resistance_m") != nullptr && root.Find("friction") != nullptr) {
     return FileCheck{"floor", LoadFloor(file).name};
@@ -94,8 +102,9 @@ System CustomSystem(const std::vector<NamedController<Nominal>>& controllers) {
   system.scenario.root_keys = {"dock", "judge", "graceful"};
   system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), Measures()};
   system.keys = VisitOf(VisitCustomKeys);
-  UseModels(std::make_shared<ModelStore<CustomModels>>(LoadModels),
-            {Check, MakeReadyRun, WriteStartView, ShapesOf<CustomPlant>}, system);
+  const auto store = std::make_shared<ModelStore<CustomModels>>(LoadModels);
+  UseModels(store, {Check, MakeReadyRun, WriteStartView, ShapesOf<CustomPlant>}, system);
+  system.doubts = [store](const Scenario& scenario) { return store->Get(scenario)->doubts; };
   // A controller that cannot drive the robot is refused by `check` already.
   system.check = [models = system.check, ready = system.make_ready,
                   made = system.controllers](const Scenario& scenario) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/custom/load_dock.h"
 #include "models/custom/load_robot.h"
@@ -10,6 +11,7 @@
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_soil.h"
 #include "models/read/near_names.h"
+#include "sim/custom/docked_findings.h"
 #include "sim/plant/model_files.h"
 #include "sim/scenario/key_path.h"
 
@@ -103,6 +105,9 @@ CustomModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   RequireContact(scenario, models.nominal, "judge.docked.contact.pins", judge.docked.contact.pins);
   RequireContact(scenario, models.nominal, "judge.trial.contact.pins", judge.trial.contact.pins);
   CheckPads(scenario, models.keys, models.nominal);
+  Findings findings = FindInScenario(scenario, models);
+  RequireNoFault(findings);
+  models.doubts = std::move(findings.doubts);
   return models;
 }
 

@@ -30,12 +30,14 @@ struct CustomModels {
   CustomKeys keys;
   ModelSet nominal;  // what the controller gets
   ModelSet built;    // what the world is made of; equal unless the scenario has `as_built`
+  std::vector<std::string> doubts;  // what is odd about them (findings.h)
 };
 
 /// A file of models/floors or of models/soils. Throws ConfigError.
 GroundModel LoadGround(const std::string& file, const ModelChanges& changes = {});
 
-/// Reads the files and applies the scenario's changes. Throws ConfigError.
+/// Reads the files and applies the scenario's changes. Throws ConfigError, also for models that can
+/// never dock.
 CustomModels LoadModels(const Scenario& scenario, MeshStore* meshes = nullptr);
 
 }  // namespace dockyard::custom

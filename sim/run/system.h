@@ -126,6 +126,9 @@ struct System {
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.
   std::function<std::string(const Scenario&)> check;
+  /// What is odd about the models that the scenario names, each with its place; `check` and `run`
+  /// warn of it. Throws ConfigError. Empty: nothing is.
+  std::function<std::vector<std::string>(const Scenario&)> doubts{};
   /// Throws ConfigError.
   std::function<ReadyRun(const Scenario&)> make_ready;
   /// Open-loop commands in place of a controller, from the scenario's `script`. Throws ConfigError.

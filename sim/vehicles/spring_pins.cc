@@ -13,8 +13,6 @@ using Eigen::Vector3d;
 // How a tip of metal yields before its spring does, and a pin that is pressed in whole: 0.1 mm
 // under 20 N. Assumed, 5e4-1e6 N/m.
 constexpr double kHard_n_per_m = 2e5;
-// A pad lies in the surface that it belongs to. Assumed, 0.5-3 mm.
-constexpr double kOffPad_m = 1.5e-3;
 // The numbers of other pairs begin at 0, or are near to it.
 constexpr std::int64_t kFirstPair = -(std::int64_t{1} << 40);
 
@@ -62,16 +60,17 @@ std::optional<Hit> FirstHit(const PinSide& on, const RigidWorld& world, const Ve
   return first;
 }
 
-bool MeetsPad(const SpringPin& pin, const PinSide& on, int link, const Vector3d& p_L) {
-  return std::any_of(on.pads.begin(), on.pads.end(), [&](const ContactPad& pad) {
+}  // namespace
+
+bool MeetsPad(const SpringPin& pin, const std::vector<ContactPad>& pads, int link,
+              const Vector3d& p_L) {
+  return std::any_of(pads.begin(), pads.end(), [&](const ContactPad& pad) {
     if (pad.contact != pin.contact || pad.pole != pin.pole || pad.link != link) return false;
     const Vector3d p_P = Inverse(pad.X_LP) * p_L;
     return std::abs(p_P.x()) <= 0.5 * pad.width_m && std::abs(p_P.y()) <= 0.5 * pad.height_m &&
            std::abs(p_P.z()) <= kOffPad_m;
   });
 }
-
-}  // namespace
 
 double PinForce(const SpringPin& pin, double pressed_m) {
   return pressed_m <= 0.0 ? 0.0 : Line(pin, pressed_m).force_n;
@@ -114,7 +113,7 @@ void SpringPins::AddSide(const PinSide& from, const PinSide& on, int first, Rigi
     const Vector3d p_G = root_G + hit->share * (tip_G - root_G);
     const int on_place = on.places[static_cast<std::size_t>(hit->link)];
     const Pose3& X_GO = world.body(on.body).motion(on_place).X_GL;
-    state.on_pad = MeetsPad(pin, on, hit->link, Inverse(X_GO) * p_G);
+    state.on_pad = MeetsPad(pin, on.pads, hit->link, Inverse(X_GO) * p_G);
     const ForceAt line = Line(pin, state.pressed_m);
     const int contact = world.AddContact(
         {.a = {from.body, place},

@@ -27,6 +27,12 @@ struct PinSide {
   std::vector<LinkSolid> solids{};
 };
 
+/// A pad lies in the surface that it belongs to, off it by this at most. Assumed, 0.5-3 mm.
+inline constexpr double kOffPad_m = 1.5e-3;
+/// Whether one of the pads, of the pin's own contact and pole, is at a point of a link.
+bool MeetsPad(const SpringPin& pin, const std::vector<ContactPad>& pads, int link,
+              const Eigen::Vector3d& p_L);
+
 /// The force of a pin that is pressed in by this depth [N]; rises from the first touch on, and
 /// steeply once the stroke is used up.
 double PinForce(const SpringPin& pin, double pressed_m);
