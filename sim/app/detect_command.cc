@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ namespace {
 struct DetectArguments {
   std::string left, right, folder, board, draw;
   RigOptions rig;
-  std::string camera = "left";  // of an image alone
+  std::string camera;  // of an image alone; empty: left, or the robot's first
   double roll_deg = 0.0, pitch_deg = 0.0;
   PipelineOptions pipeline;
   bool json = false;
@@ -44,14 +45,16 @@ Examples:
   dockyard detect --folder out/view --robot {robot} \
     --board {target}
 
-One image is taken for the left camera's unless --camera says right. --board is a station's file or
-a board's own (docs/reference/models.md): discs with bars, plain ones, or square tags. Prints each
-fiducial (pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit
-quaternion w x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad].
-For a board of tags an id is the tag's number in the file, from 0; of a pair the camera that finds
-more tags gives the pose. Exit code 4: no board accepted; the reason is printed. The noise is raised
-to what the residuals show, up to 1 px rms, and the covariance with it: flatness_m in the board's
-file states a bow, calibration_error_px in the rig's the cameras' error.
+One image is taken for the left camera's unless --camera says right. A robot's file that names its
+cameras (docs/reference/custom.md) has one of them for each image: that of --camera, else the first;
+LEFT RIGHT are of those named left and right. --board is a station's file, a dock's or a board's own
+(docs/reference/models.md): discs with bars, plain ones, or square tags. Prints each fiducial
+(pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit quaternion
+w x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. For a
+board of tags an id is the tag's number in the file, from 0; of a pair the camera that finds more
+tags gives the pose. Exit code 4: no board accepted; the reason is printed. The noise is raised to
+what the residuals show, up to 1 px rms, and the covariance with it: flatness_m in the board's file
+states a bow, calibration_error_px in the rig's the cameras' error.
 --folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or
 3 when some file is no image (it is named, the others are done).)";
 
@@ -60,12 +63,22 @@ struct Searched {
   const std::vector<System>& systems;
   NamedBoard board;
   ErrorAllowance errors;
+  std::optional<PlacedCamera> camera{};  // of a robot that has them by name; it saw each image
 };
+
+/// For images of this size; 0: as in the file.
+StereoRig RigFor(const DetectArguments& arguments, const Searched& searched, int width,
+                 int height) {
+  if (!searched.camera) return RigOf(arguments.rig, searched.systems, width, height);
+  const Camera& nominal = searched.camera->camera;
+  const Camera camera = width > 0 ? Resized(nominal, width, height) : nominal;
+  return {camera, camera, searched.camera->X_FC, searched.camera->X_FC};
+}
 
 SightingReport LocatePair(const StereoImages& images, const DetectArguments& arguments,
                           const Searched& searched) {
   const GrayImage& any = images.left.pixels.empty() ? images.right : images.left;
-  const StereoRig rig = RigOf(arguments.rig, searched.systems, any.width, any.height);
+  const StereoRig rig = RigFor(arguments, searched, any.width, any.height);
   const FiducialBoard& board = searched.board.board;
   if (!board.tags.empty()) return LocateTagsIn(images, rig, board, searched.errors);
   LocateHints hints;
@@ -132,7 +145,7 @@ GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
 
 int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
                    std::vector<std::string>* all_warnings) {
-  RigOf(arguments.rig, searched.systems, 0, 0);  // a bad rig is not the fault of an image
+  RigFor(arguments, searched, 0, 0);  // a bad rig is not the fault of an image
   const BoardMarks board_marks = MarksOf(searched.board.board);
   const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
@@ -201,10 +214,25 @@ void RequireSound(const DetectArguments& arguments) {
   if (!arguments.folder.empty() && !arguments.draw.empty()) {
     throw UsageError("--draw draws LEFT [RIGHT]; leave it out with --folder");
   }
-  if (!arguments.right.empty() && arguments.camera == "right") {
+  if (!arguments.right.empty() && !arguments.camera.empty() && arguments.camera != "left") {
     throw UsageError("--camera is of one image alone; leave it out with LEFT RIGHT");
   }
   arguments.pipeline.RequireSound();
+}
+
+/// The camera of each image, where the robot has cameras by name and the images are no pair. Throws
+/// UsageError, ConfigError.
+std::optional<PlacedCamera> CameraOf(const DetectArguments& arguments,
+                                     const std::vector<System>& systems) {
+  const auto cameras = NamedCamerasOf(arguments.rig, systems);
+  if (!cameras) {
+    const std::string& name = arguments.camera;
+    if (name.empty() || name == "left" || name == "right") return std::nullopt;
+    throw UsageError("--camera: expected left or right, as the cameras are a pair, found '" + name +
+                     "'");
+  }
+  if (!arguments.right.empty()) return std::nullopt;
+  return CameraNamed(arguments.camera, *cameras, arguments.rig.robot);
 }
 
 /// The images beside each other with what was found in them. Throws IoError.
@@ -222,7 +250,8 @@ int Detect(const DetectArguments& arguments, Invocation& call) {
                           .board = named,
                           .errors = {.raise_noise = true,
                                      .flatness_m = named.flatness_m,
-                                     .calibration_px = CalibrationErrorOf(arguments.rig)}};
+                                     .calibration_px = CalibrationErrorOf(arguments.rig)},
+                          .camera = CameraOf(arguments, call.systems)};
   if (arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013 &&
       !HasTwoOfEachRotation(named.board)) {
     throw ConfigError(arguments.board +
@@ -235,6 +264,7 @@ int Detect(const DetectArguments& arguments, Invocation& call) {
                       .detail = {},
                       .pipeline = arguments.pipeline.name,
                       .board_marks = MarksOf(named.board)};
+  if (searched.camera) answer.cameras = {searched.camera->name, searched.camera->name};
   WarnIfCut(arguments.left, &call.warnings);
   WarnIfCut(arguments.right, &call.warnings);
   answer.report = LocatePair(images, arguments, searched);
@@ -257,10 +287,9 @@ void AddDetectCommand(CLI::App& app, Invocation& call) {
                       "image of the left camera, or of the one that --camera names");
   command->add_option("RIGHT", arguments->right, "image of the right camera");
   command->add_option("--folder", arguments->folder, "every image of a folder instead, one by one");
-  command
-      ->add_option("--camera", arguments->camera,
-                   "of one image, or of a folder's: left (default), right")
-      ->check(CLI::IsMember({"left", "right"}));
+  command->add_option("--camera", arguments->camera,
+                      "of one image, or of a folder's: left (default) or right of a pair, or its "
+                      "name in the robot's file");
   AddRigOptions(*command, arguments->rig);
   command->add_option("--board", arguments->board, "a station's file, or a board's")->required();
   command->add_option("--roll-deg", arguments->roll_deg, "attitude of the rover body")

@@ -9,11 +9,12 @@
 namespace dockyard {
 namespace {
 
-Json MarksJson(const SightingReport& report) {
+Json MarksJson(const DetectAnswer& answer) {
+  const SightingReport& report = answer.report;
   Json list = Json::array();
   const auto add = [&](const SightingReport::Mark& mark, const char* state) {
     list.push_back({{"id", mark.id},
-                    {"camera", mark.camera == 1 ? "right" : "left"},
+                    {"camera", answer.cameras[mark.camera == 1 ? 1 : 0]},
                     {"u_px", mark.u_px},
                     {"v_px", mark.v_px},
                     {"state", state}});
@@ -21,6 +22,12 @@ Json MarksJson(const SightingReport& report) {
   for (const auto& mark : report.marks) add(mark, "detected");
   for (const auto& mark : report.predicted) add(mark, "predicted");
   return list;
+}
+
+/// "stereo", or the name of the camera that gave the pose.
+std::string MethodOf(const DetectAnswer& answer) {
+  const std::string& method = answer.report.method;
+  return method == "left" ? answer.cameras[0] : method == "right" ? answer.cameras[1] : method;
 }
 
 }  // namespace
@@ -51,7 +58,7 @@ Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warn
   json["accepted"] = report.accepted;
   json["reason"] = report.accepted ? Json() : Json(report.reason);
   json["detail"] = answer.detail.empty() ? Json() : Json(answer.detail);
-  json["method"] = report.method;
+  json["method"] = MethodOf(answer);
   json["detected_left"] = report.DetectedBy(0);
   json["detected_right"] = report.DetectedBy(1);
   json["board_discs"] = answer.board_marks.count;
@@ -61,21 +68,21 @@ Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warn
   const Eigen::Vector3d &turn = report.camera_turn_rad, &sigma = report.camera_turn_sigma_rad;
   json["camera_turn_rad"] = {turn.x(), turn.y(), turn.z()};
   json["camera_turn_sigma_rad"] = {sigma.x(), sigma.y(), sigma.z()};
-  json["fiducials"] = MarksJson(report);
+  json["fiducials"] = MarksJson(answer);
   json["warnings"] = warnings;
   return json;
 }
 
 void PrintDetectText(const DetectAnswer& answer) {
   const SightingReport& report = answer.report;
-  for (const Json& mark : MarksJson(report)) {
+  for (const Json& mark : MarksJson(answer)) {
     std::printf("%-5s %d  %9.3f %9.3f px  %s\n", mark["camera"].get<std::string>().c_str(),
                 mark["id"].get<int>(), mark["u_px"].get<double>(), mark["v_px"].get<double>(),
                 mark["state"].get<std::string>().c_str());
   }
   const std::string discs = DiscsText(report, answer.board_marks);
   if (report.accepted) {
-    std::printf("board (%s, %s, %.3f px rms): %s\n", report.method.c_str(), discs.c_str(),
+    std::printf("board (%s, %s, %.3f px rms): %s\n", MethodOf(answer).c_str(), discs.c_str(),
                 report.reprojection_px, PoseText(report.X_RB, report.covariance).c_str());
     return;
   }

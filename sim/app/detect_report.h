@@ -1,6 +1,7 @@
 // Answers of the command detect on one image or a pair: JSON, and lines for people.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct DetectAnswer {
   std::string detail;  // more about why there is no board; empty: nothing
   std::string pipeline;
   BoardMarks board_marks;
+  std::array<std::string, 2> cameras{"left", "right"};  // names, by SightingReport::Mark::camera
 };
 
 /// Discs or tags of the board that were measured, in all images.

@@ -4,12 +4,13 @@
 
 #include "models/read/config_error.h"
 #include "models/read/load_cameras.h"
+#include "models/read/near_names.h"
 #include "sim/app/commands.h"
 
 namespace dockyard {
 
 void AddRigOptions(CLI::App& command, RigOptions& options) {
-  command.add_option("--robot", options.robot, "a robot's file: its stereo cameras");
+  command.add_option("--robot", options.robot, "a robot's file: its cameras");
   command.add_option(
       "--rig", options.rig,
       "instead: a file of two cameras, left and right; or two of one each, LEFT,RIGHT");
@@ -25,7 +26,40 @@ StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, i
     if (!system.files.rig) continue;
     if (const auto rig = system.files.rig(options.robot, width, height)) return *rig;
   }
-  throw ConfigError(options.robot + ": expected a robot's file with a stereo pair, found another");
+  if (const auto cameras = NamedCamerasOf(options, systems)) {
+    const auto camera = [&](const char* name, const Pose3*& X_RC) {
+      const PlacedCamera& placed = CameraNamed(name, *cameras, options.robot);
+      X_RC = &placed.X_FC;
+      return width > 0 ? Resized(placed.camera, width, height) : placed.camera;
+    };
+    const Pose3 *X_RL = nullptr, *X_RQ = nullptr;
+    const Camera left = camera("left", X_RL), right = camera("right", X_RQ);
+    return {left, right, *X_RL, *X_RQ};
+  }
+  throw ConfigError(options.robot + ": expected a robot's file with cameras, found another");
+}
+
+std::optional<std::vector<PlacedCamera>> NamedCamerasOf(const RigOptions& options,
+                                                        const std::vector<System>& systems) {
+  if (options.robot.empty() || !options.rig.empty()) return std::nullopt;
+  for (const System& system : systems) {
+    if (!system.files.cameras) continue;
+    if (auto cameras = system.files.cameras(options.robot)) return cameras;
+  }
+  return std::nullopt;
+}
+
+const PlacedCamera& CameraNamed(const std::string& name, const std::vector<PlacedCamera>& cameras,
+                                const std::string& file) {
+  if (cameras.empty()) throw ConfigError(file + ": expected a robot with cameras, found none");
+  if (name.empty()) return cameras.front();
+  std::vector<std::string> known;
+  for (const PlacedCamera& camera : cameras) {
+    if (camera.name == name) return camera;
+    known.push_back(camera.name);
+  }
+  throw ConfigError(file + ": expected a camera '" + name + "' in the list 'cameras', found none" +
+                    DidYouMeanOrKnown(name, known));
 }
 
 double CalibrationErrorOf(const RigOptions& options) {

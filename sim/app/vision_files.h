@@ -19,8 +19,15 @@ struct RigOptions {
   std::string robot, rig;
 };
 void AddRigOptions(CLI::App& command, RigOptions& options);
-/// The nominal pair of the robot's file, or the cameras `left` and `right` of the rig's file
-/// (docs/reference/cameras.md). Throws UsageError unless exactly one of the two is given, and
+/// The cameras of a robot's file that has them by name; none: it has a pair, or the rig's file is
+/// given. Throws ConfigError.
+std::optional<std::vector<PlacedCamera>> NamedCamerasOf(const RigOptions& options,
+                                                        const std::vector<System>& systems);
+/// The one of that name; with an empty name the first. file: for messages. Throws ConfigError.
+const PlacedCamera& CameraNamed(const std::string& name, const std::vector<PlacedCamera>& cameras,
+                                const std::string& file);
+/// The nominal pair of the robot's file, or the cameras `left` and `right` of that or of the rig's
+/// file (docs/reference/cameras.md). Throws UsageError unless exactly one of the two is given, and
 /// ConfigError.
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
                 int height);

@@ -4,6 +4,7 @@
 
 #include "models/custom/load_dock.h"
 #include "models/custom/load_robot.h"
+#include "models/custom/make_nominal.h"
 #include "models/read/config_error.h"
 #include "models/read/load_floor.h"
 #include "models/read/load_model_yaml.h"
@@ -86,6 +87,26 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
   return std::nullopt;
 }
 
+std::optional<std::vector<PlacedCamera>> CamerasOf(const std::string& file) {
+  if (!IsRobotFile(LoadModelYaml(file))) return std::nullopt;
+  std::vector<PlacedCamera> cameras;
+  const Nominal nominal = MakeNominal(LoadRobot(file), {});
+  for (const RobotCamera& camera : nominal.cameras) {
+    cameras.push_back({camera.name, camera.camera, camera.X_RC});
+  }
+  return cameras;
+}
+
+std::optional<NamedBoard> BoardOf(const std::string& file) {
+  if (!IsDockFile(LoadModelYaml(file))) return std::nullopt;
+  const DockModel dock = LoadDock(file);
+  if (dock.boards.size() != 1) {
+    throw ConfigError(file + ": boards: expected one board, found " +
+                      std::to_string(dock.boards.size()) + "; give the file of one of them");
+  }
+  return NamedBoard{dock.boards[0].name, dock.boards[0].board};
+}
+
 }  // namespace
 
 void RefuseController(const std::string& controller, const std::string& reason) {
@@ -117,6 +138,8 @@ System CustomSystem(const std::vector<NamedController<Nominal>>& controllers) {
     return line;
   };
   system.files = {.check = CheckModelFile,
+                  .cameras = CamerasOf,
+                  .board = BoardOf,
                   .keys = {{"robot", VisitRobotKeys}, {"dock", VisitDockKeys}}};
   system.example_files.scenario = "examples/docks/charger/scenario.yaml";
   system.example_files.robot = "examples/docks/charger/robot/robot.yaml";

@@ -13,6 +13,7 @@
 #include "controller/geometry/camera.h"
 #include "controller/io/controller.h"
 #include "models/read/load_board.h"
+#include "models/read/load_cameras.h"
 #include "sim/base/json.h"
 #include "sim/log/column.h"
 #include "sim/log/record.h"
@@ -112,6 +113,9 @@ struct FileReaders {
   /// The nominal stereo cameras of a robot's file, for images of that size (0: as in the file).
   std::function<std::optional<StereoRig>(const std::string& robot_file, int width, int height)>
       rig{};
+  /// The nominal cameras of a robot's file by name, in the robot's frame with its joints at their
+  /// starts, where they are no stereo pair.
+  std::function<std::optional<std::vector<PlacedCamera>>(const std::string& robot_file)> cameras{};
   /// The fiducial board in a target's file.
   std::function<std::optional<NamedBoard>(const std::string& target_file)> board{};
   std::vector<ModelKeys> keys{};

@@ -13,6 +13,7 @@
 
 #include "app/program.h"
 #include "controller/geometry/camera.h"
+#include "sim/base/json.h"
 #include "sim/images/png.h"
 #include "sim/log/frame_codec.h"
 #include "support/fake_runs.h"
@@ -109,6 +110,58 @@ TEST(DetectCommand, FindsTheBoardOfARenderedPair) {
   EXPECT_EQ(nowhere.code, 3);
   EXPECT_THAT(nowhere.err, HasSubstr("none: expected a folder of images"));
   EXPECT_THAT(folder_run.out, HasSubstr("3 images"));
+}
+
+/// A point of the dock in the robot's frame, by the truth that `view` wrote into a folder.
+Eigen::Vector3d InRobot(const TemporaryFolder& folder, const Eigen::Vector3d& p_DB) {
+  const Json truth = Json::parse(Slurp((folder.path() / "truth.json").string()));
+  return Inverse(Pose3FromJson(truth["X_DR"])) * p_DB;
+}
+
+const std::string kCharger = " --robot examples/docks/charger/robot/robot.yaml";
+
+TEST(DetectCommand, FindsTheBoardByACameraThatTheRobotsFileNames) {
+  const std::string dock = " --board examples/docks/charger/dock/dock.yaml";
+  const TemporaryFolder folder;
+  const std::string view = "view examples/docks/charger/scenario.yaml --out ";
+  ASSERT_EQ(Dockyard(view + folder.path().string()).code, 0);
+  const std::string front = (folder.path() / "front.png").string();
+  const json out =
+      json::parse(Dockyard("detect " + front + " --camera front --json" + kCharger + dock).out);
+  EXPECT_EQ(out["accepted"], true);
+  EXPECT_EQ(out["method"], "front");
+  EXPECT_EQ(out["fiducials"][0]["camera"], "front");
+  const Eigen::Vector3d p_R = InRobot(folder, {-0.055, 0.0, 0.20});
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(out["board_in_rover"]["p_m"][i].get<double>(), p_R[i], 0.03);
+  // The first camera is the default; another name is refused with those that there are.
+  EXPECT_EQ(Dockyard("detect " + front + kCharger + dock).code, 0);
+  const Ended other = Dockyard("detect " + front + " --camera frnt" + kCharger + dock);
+  EXPECT_EQ(other.code, 3);
+  EXPECT_THAT(other.err, HasSubstr("expected a camera 'frnt' in the list 'cameras', found none, "
+                                   "did you mean 'front'?"));
+  const Ended pair = Dockyard("detect " + front + " " + front + kCharger + dock);
+  EXPECT_EQ(pair.code, 3);
+  EXPECT_THAT(pair.err, HasSubstr("expected a camera 'left' in the list 'cameras'"));
+}
+
+TEST(DetectCommand, FindsDiscsByACameraThatTheRobotsFileNames) {
+  const std::string board = "models/boards/grid_4x3.yaml";
+  const TemporaryFolder folder;
+  const std::string boards = "[{name: discs, file: " + std::filesystem::absolute(board).string() +
+                             ", link: dock, middle_m: [-0.055, 0, 0.25]}]";
+  ASSERT_EQ(Dockyard("view examples/docks/charger/scenario.yaml --out " + folder.path().string() +
+                     " --set 'changes={dock: {boards: " + boards + "}}'")
+                .code,
+            0);
+  const json out = json::parse(Dockyard("detect " + (folder.path() / "front.png").string() +
+                                        " --json" + kCharger + " --board " + board)
+                                   .out);
+  EXPECT_EQ(out["accepted"], true);
+  EXPECT_EQ(out["board_discs"], 12);
+  const Eigen::Vector3d p_R = InRobot(folder, {-0.055, 0.0, 0.25});
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(out["board_in_rover"]["p_m"][i].get<double>(), p_R[i], 0.03);
 }
 
 TEST(DetectCommand, SaysWhyThereIsNoBoard) {
