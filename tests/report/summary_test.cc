@@ -100,7 +100,10 @@ TEST(Summary, GroupsByNoLabelWhoseValuesDoNotRepeat) {
   const std::string single = "  start.r_m  2.5 ";
   EXPECT_THAT(SummaryText("fake", runs, FakeColumns(), 8), Not(HasSubstr(single)));
   const FinishedRuns again = FakeResults(8);
-  for (std::size_t i = 0; i < again.size(); ++i) runs.Add({again.results[i], {}, ""});
+  for (RunResult row : again.results) {
+    row.run += 8;
+    runs.Add({row, {}, ""});
+  }
   EXPECT_THAT(SummaryText("fake", runs, FakeColumns(), 16), HasSubstr(single));
 }
 
