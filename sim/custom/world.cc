@@ -53,6 +53,18 @@ Eigen::Matrix3d AxleAxes(const Eigen::Vector3d& axle_L) {
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), axle_L).toRotationMatrix();
 }
 
+// As of a tyre, by the motion of the wheel's centre.
+double SlipOnSoil(const WheelFit& wheel, const LinkMotion& motion) {
+  const Eigen::Vector3d axle_G = motion.X_GL.R * wheel.axle_L;
+  const Eigen::Vector3d ahead_G = axle_G.cross(Eigen::Vector3d::UnitZ());
+  if (ahead_G.isZero(1e-6)) return 0.0;
+  TyreTruth truth;
+  truth.rolling_m_s = RollingRadius(wheel.on_soil) * axle_G.dot(motion.w_GL_G);
+  truth.along_m_s =
+      motion.VelocityAt(motion.X_GL * wheel.p_LK).dot(ahead_G.normalized()) - truth.rolling_m_s;
+  return truth.slip();
+}
+
 double TiltOf(const Eigen::Matrix3d& R_GB) { return std::acos(std::clamp(R_GB(2, 2), -1.0, 1.0)); }
 
 }  // namespace
@@ -200,7 +212,8 @@ void World::FillWheels(Truth& truth) const {
       truth.wheel_slip.push_back(tyre.slip());
     } else {
       truth.wheel_load_n.push_back(soil_loads_[i].force_G.z());
-      truth.wheel_slip.push_back(0.0);
+      truth.wheel_slip.push_back(
+          SlipOnSoil(setup_.robot.wheels[i], robot_.Motion(world_, setup_.robot.wheels[i].link)));
     }
   }
 }

@@ -118,6 +118,11 @@ TEST(CustomOnSoil, RobotSlipsAsAWheelThatPullsNothing) {
   EXPECT_GT(wanted, 0.01);
   EXPECT_NEAR(slip, wanted, 0.1 * wanted);
   EXPECT_NEAR(after.X_DR.p.y(), before.X_DR.p.y(), 2e-3);
+  // What the world says of its wheels, in the mean.
+  ASSERT_EQ(after.wheel_slip.size(), 4u);
+  EXPECT_NEAR(0.25 * (after.wheel_slip[0] + after.wheel_slip[1] + after.wheel_slip[2] +
+                      after.wheel_slip[3]),
+              slip, 0.1 * slip);
 }
 
 // Its wheels leave ruts as deep as they are sunk, less the soil's rebound.
