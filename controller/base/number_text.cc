@@ -13,10 +13,13 @@ std::string NumberText(double value) {
   return {text, end};
 }
 
+// No sign on a zero, whichever side it was rounded from.
 std::string Fixed(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  const std::string_view digits(text);
+  const bool is_zero = digits.find_first_not_of("-0.") == digits.npos;
+  return text[0] == '-' && is_zero ? text + 1 : text;
 }
 
 std::optional<double> NumberFromText(std::string_view text) {

@@ -1,4 +1,4 @@
-// Loops over arrays of numbers for 16 and for 32 bytes at once; the processor decides at start. Both
+// Loops over arrays for 16 and for 32 bytes at once; the processor decides at start. Both
 // do the same operations on each element (no fused multiply-add), so the bits are the same.
 // By GCC alone: Clang wants the attribute at the declaration in the header. DOCKYARD_ONE_WIDTH
 // leaves four alone, for checks that take the attribute for a difference in type.
