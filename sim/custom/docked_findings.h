@@ -2,8 +2,8 @@
 // at their starts.
 #pragma once
 
+#include "sim/custom/custom_models.h"
 #include "sim/custom/findings.h"
-#include "sim/custom/load_models.h"
 
 namespace dockyard::custom {
 

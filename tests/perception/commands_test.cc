@@ -17,6 +17,7 @@
 #include "sim/images/png.h"
 #include "sim/log/frame_codec.h"
 #include "support/fake_runs.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -148,8 +149,8 @@ TEST(DetectCommand, FindsTheBoardByACameraThatTheRobotsFileNames) {
 TEST(DetectCommand, FindsDiscsByACameraThatTheRobotsFileNames) {
   const std::string board = "models/boards/grid_4x3.yaml";
   const TemporaryFolder folder;
-  const std::string boards = "[{name: discs, file: " + std::filesystem::absolute(board).string() +
-                             ", link: dock, middle_m: [-0.055, 0, 0.25]}]";
+  const std::string boards =
+      "[{name: discs, file: " + SourceFile(board) + ", link: dock, middle_m: [-0.055, 0, 0.25]}]";
   ASSERT_EQ(Dockyard("view examples/docks/charger/scenario.yaml --out " + folder.path().string() +
                      " --set 'changes={dock: {boards: " + boards + "}}'")
                 .code,

@@ -13,26 +13,38 @@
 namespace dockyard {
 namespace {
 
-TEST(SunShadow, BoundsOverAPlaneChangeNoShare) {
+ShadowFit TwoWindows() {
   ShadowFit fit{.X_WU = {}, .coarse = {}, .fine = {}, .top_m = 3.0, .bottom_m = -1.0};
   fit.coarse = {.half_m = 4.0, .texels = kCoarseTexels};
   fit.fine = {.half_m = 0.6, .texels = kFineTexels, .column = kCoarseTexels};
-  const Eigen::Vector3d normal = Eigen::Vector3d(0.4, -0.2, 0.8).normalized();
-  const auto plane_z = [&](double x, double y) {
-    return 0.1 - (normal.x() * x + normal.y() * y) / normal.z();
-  };
-  SunShadow shadow;
+  return fit;
+}
+
+// Casters of these heights above each place.
+template <class HeightAt>
+void FillDepths(const ShadowFit& fit, const HeightAt& height_at, SunShadow& shadow) {
   for (const ShadowWindow& window : {fit.coarse, fit.fine}) {
     for (int row = 0; row < window.texels; ++row) {
       for (int column = 0; column < window.texels; ++column) {
         const double x = (column + 0.5) * window.texel_m() - window.half_m;
         const double y = (row + 0.5) * window.texel_m() - window.half_m;
-        const double z = x > 0.1 && y > -0.2 ? 2.0 : plane_z(x, y);
+        const double z = height_at(x, y);
         shadow.depth()[static_cast<std::size_t>(row) * kAtlasWidth + window.column + column] =
             static_cast<float>((fit.top_m - z) / (fit.top_m - fit.bottom_m));
       }
     }
   }
+}
+
+TEST(SunShadow, BoundsOverAPlaneChangeNoShare) {
+  const ShadowFit fit = TwoWindows();
+  const Eigen::Vector3d normal = Eigen::Vector3d(0.4, -0.2, 0.8).normalized();
+  const auto plane_z = [&](double x, double y) {
+    return 0.1 - (normal.x() * x + normal.y() * y) / normal.z();
+  };
+  SunShadow shadow;
+  FillDepths(
+      fit, [&](double x, double y) { return x > 0.1 && y > -0.2 ? 2.0 : plane_z(x, y); }, shadow);
   shadow.Take(fit, 0.0093);
   shadow.TakePlane({0.0, 0.0, plane_z(0.0, 0.0)}, normal);
   int sunlit = 0, penumbra = 0, spared = 0;
@@ -73,25 +85,16 @@ TEST(SunShadow, BoundsOverAPlaneChangeNoShare) {
 
 // A surface that had another slope before goes by points alone.
 TEST(SunShadow, BlocksOfTexelsChangeNoShare) {
-  ShadowFit fit{.X_WU = {}, .coarse = {}, .fine = {}, .top_m = 3.0, .bottom_m = -1.0};
-  fit.coarse = {.half_m = 4.0, .texels = kCoarseTexels};
-  fit.fine = {.half_m = 0.6, .texels = kFineTexels, .column = kCoarseTexels};
+  const ShadowFit fit = TwoWindows();
   const Eigen::Vector3d normal = Eigen::Vector3d(0.5, -0.6, 0.4).normalized();
   const auto plane_z = [&](double x, double y) {
     return 0.1 - (normal.x() * x + normal.y() * y) / normal.z();
   };
   SunShadow shadow;
-  for (const ShadowWindow& window : {fit.coarse, fit.fine}) {
-    for (int row = 0; row < window.texels; ++row) {
-      for (int column = 0; column < window.texels; ++column) {
-        const double x = (column + 0.5) * window.texel_m() - window.half_m;
-        const double y = (row + 0.5) * window.texel_m() - window.half_m;
-        const double z = x > 0.1 && y > -0.2 ? plane_z(x, y) + 0.3 : plane_z(x, y);
-        shadow.depth()[static_cast<std::size_t>(row) * kAtlasWidth + window.column + column] =
-            static_cast<float>((fit.top_m - z) / (fit.top_m - fit.bottom_m));
-      }
-    }
-  }
+  FillDepths(
+      fit,
+      [&](double x, double y) { return x > 0.1 && y > -0.2 ? plane_z(x, y) + 0.3 : plane_z(x, y); },
+      shadow);
   shadow.Take(fit, 0.0093);
   const SunShadow::Place elsewhere{.p = {0, 0, 0},
                                    .slopes = {0.1f, 0.1f},
