@@ -185,7 +185,7 @@ void ReadSightings(const YamlReader& root, Published& published) {
 }
 
 void ReadMeasures(const YamlReader& in, Published& published) {
-  ForItems(in, "measures", {"name", "campaign", "measure", "where", "low", "high", "of"},
+  ForItems(in, "measures", {"name", "campaign", "measure", "where", "low", "high", "of", "judged"},
            [&](const YamlReader& item) {
              PublishedMeasure measure{item.Text("name"), NameOf(item, "campaign"),
                                       NameOf(item, "measure"), FiltersOf(item)};
@@ -194,6 +194,10 @@ void ReadMeasures(const YamlReader& in, Published& published) {
              measure.counted = item.ChoiceOr("of", 0, {"all", "counted"}) == 1;
              if (std::isnan(measure.low) != std::isnan(measure.high)) {
                item.Refuse(std::isnan(measure.low) ? "high" : "low", "low and high, or neither");
+             }
+             measure.judged = item.BoolOr("judged", false);
+             if (measure.judged && std::isnan(measure.low)) {
+               item.Refuse("judged", "low and high of a measure that is judged");
              }
              if (measure.high < measure.low) item.Refuse("high", "a number from low on");
              published.measures.push_back(std::move(measure));

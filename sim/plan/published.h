@@ -57,6 +57,7 @@ struct PublishedMeasure {
   std::vector<LabelFilter> where;
   double low = 0.0, high = 0.0;
   bool counted = false;  // over the runs alone that count as the paper's success
+  bool judged = false;   // its mean must lie within the range
 };
 
 /// Mean errors of the sightings about a distance. NaN: not published.

@@ -178,12 +178,18 @@ const CampaignResults& ResultsOf(const PublishedName& campaign, const Published&
   return campaigns.at(static_cast<std::size_t>(at - published.campaigns.begin()));
 }
 
-ReproductionVerdict VerdictOf(const std::vector<RowFinding>& rows) {
+ReproductionVerdict VerdictOf(const std::vector<RowFinding>& rows,
+                              const std::vector<MeasureFinding>& measures) {
   bool inside = true;
   for (const RowFinding& row : rows) {
     if (!row.counts) continue;
     if (!row.comparable()) return ReproductionVerdict::kNotJudged;
     inside = inside && row.inside();
+  }
+  for (const MeasureFinding& each : measures) {
+    if (!each.measure->judged) continue;
+    if (!each.simulated) return ReproductionVerdict::kNotJudged;
+    inside = inside && each.inside();
   }
   return inside ? ReproductionVerdict::kInside : ReproductionVerdict::kOutside;
 }
@@ -233,7 +239,7 @@ ReproductionFinding JudgeReproduction(const Published& published,
     found.measures.push_back(
         FindMeasure(published, measure, ResultsOf(measure.campaign, published, campaigns), first));
   }
-  found.verdict = VerdictOf(found.rows);
+  found.verdict = VerdictOf(found.rows, found.measures);
   return found;
 }
 

@@ -68,6 +68,8 @@ struct MeasureFinding {
   bool simulated = false;                                  // whether its campaign was run
   int runs = 0;                                            // that have the measure
   double mean = 0.0, median = 0.0, low = 0.0, high = 0.0;  // 10 and 90 % quantiles
+
+  bool inside() const { return runs > 0 && mean >= measure->low && mean <= measure->high; }
 };
 
 enum class ReproductionVerdict { kInside, kOutside, kNotJudged };
@@ -91,8 +93,9 @@ bool Matches(const std::vector<LabelFilter>& where, const RunResult& row,
              const RowColumns& columns);
 
 /// The total is judged at 0.95, each of the m rows that count at 1 - 0.05 / m (Bonferroni): outside
-/// when the paper's count lies outside its exact prediction interval. Not judged unless each of
-/// these rows has all its runs: the paper's starts, each once a replication.
+/// when the paper's count lies outside its exact prediction interval. A measure that is judged is
+/// outside when its mean is, or when no run has it. Not judged unless each of
+/// these rows has all its runs, the paper's starts, each once a replication.
 /// @param campaigns  as in the file; without rows: not run
 ReproductionFinding JudgeReproduction(const Published& published,
                                       const std::vector<CampaignResults>& campaigns);

@@ -56,7 +56,9 @@ Json MeasureJson(const MeasureFinding& each) {
             {"paper",
              std::isnan(each.measure->low) ? Json() : Pair(each.measure->low, each.measure->high)},
             {"simulated", each.simulated},
+            {"judged", each.measure->judged},
             {"runs", each.runs}};
+  if (each.measure->judged) json["inside"] = each.inside();
   if (each.runs == 0) return json;
   json["mean"] = each.mean;
   json["median"] = each.median;

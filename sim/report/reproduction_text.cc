@@ -107,7 +107,7 @@ std::string ErrorsText(const ReproductionFinding& found) {
 
 std::string MeasuresText(const ReproductionFinding& found) {
   if (found.measures.empty()) return "";
-  std::vector<Line> lines{{"measure", "paper", "mean", "median", "10-90 %", "runs"}};
+  std::vector<Line> lines{{"measure", "paper", "mean", "median", "10-90 %", "runs", "judged"}};
   for (const MeasureFinding& each : found.measures) {
     const std::string unit = each.unit.empty() ? "" : " " + each.unit;
     const std::string paper =
@@ -120,7 +120,10 @@ std::string MeasuresText(const ReproductionFinding& found) {
     }
     lines.push_back({each.measure->name, paper, BriefNumber(each.mean) + unit,
                      BriefNumber(each.median), BriefNumber(each.low) + "-" + BriefNumber(each.high),
-                     std::to_string(each.runs)});
+                     std::to_string(each.runs),
+                     !each.measure->judged ? ""
+                     : each.inside()       ? "inside"
+                                           : "outside"});
   }
   return "\n" + Table(lines);
 }
@@ -138,6 +141,10 @@ std::string NamesWhere(const ReproductionFinding& found, bool lacking) {
     if (!each.counts || (lacking ? each.comparable() : each.inside())) continue;
     names += (names.empty() ? "" : ", ") + each.row->name;
   }
+  for (const MeasureFinding& each : found.measures) {
+    if (!each.measure->judged || (lacking ? each.simulated : each.inside())) continue;
+    names += (names.empty() ? "" : ", ") + each.measure->name;
+  }
   return names;
 }
 
@@ -147,7 +154,7 @@ std::string VerdictText(const ReproductionFinding& found) {
   const std::string verdict = NameOf(found.verdict);
   switch (found.verdict) {
     case ReproductionVerdict::kInside:
-      return verdict + ": the paper's total and each row that counts";
+      return verdict + ": the paper's total, and each row and measure that counts";
     case ReproductionVerdict::kOutside:
       return verdict + ": " + NamesWhere(found, false);
     case ReproductionVerdict::kNotJudged:

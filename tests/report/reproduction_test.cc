@@ -120,7 +120,8 @@ TEST_F(Reproduced, StandsBesideThePapersTable) {
   EXPECT_THAT(text, ContainsRegex("boundary .* 4-14 +inside at 97.5 %: 3-14, p = 1\n"));
   EXPECT_THAT(text, ContainsRegex("sand +not given +29/40"));
   EXPECT_THAT(text, HasSubstr("each of 2 rows at 1 - 0.05/2"));
-  EXPECT_THAT(text, HasSubstr("\ninside: the paper's total and each row that counts\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\ninside: the paper's total, and each row and measure that counts\n"));
 }
 
 // A row of two is judged at 0.975: p = 0.0426 is inside, 0.0194 is not.
@@ -140,6 +141,22 @@ TEST_F(Reproduced, IsOutsideWhereOneRowIsAlone) {
   EXPECT_EQ(json.at("verdict"), "outside");
   EXPECT_EQ(json.at("rows").at(2).at("inside"), false);
   EXPECT_EQ(json.at("rows").at(2).at("predicted"), Json::parse("[10, 16]"));
+}
+
+// The grid's current is 0.6 A in the mean.
+TEST_F(Reproduced, IsOutsideByTheMeanOfAJudgedMeasure) {
+  AddRegion("interior", 40, 48, "lost");
+  AddRegion("boundary", 18, 32, "lost");
+  published_.measures[0].judged = true;
+  EXPECT_EQ(Judge().verdict, ReproductionVerdict::kInside);
+  EXPECT_THAT(ReproductionText(Judge()), ContainsRegex("current .* 80 +inside\n"));
+  published_.measures[0].low = 0.7;
+  EXPECT_EQ(VerdictText(Judge()), "outside: current");
+  EXPECT_EQ(ReproductionJson(Judge()).at("measures").at(0).at("inside"), false);
+  // Its campaign was not run.
+  published_.measures[1].judged = true;
+  EXPECT_EQ(VerdictText(Judge()),
+            "not judged: these runs are not those of the paper: pure reeling");
 }
 
 TEST_F(Reproduced, IsOutsideByItsTotal) {

@@ -70,7 +70,8 @@ TEST_F(Toy, ReproducesACountThatItsRunsPredict) {
   const auto end = Dockyard(command);
   EXPECT_EQ(end.code, 0) << end.out << end.err;
   EXPECT_THAT(end.out, HasSubstr("36 runs, 3 replications"));
-  EXPECT_THAT(end.out, HasSubstr("inside: the paper's total and each row that counts"));
+  EXPECT_THAT(end.out,
+              HasSubstr("inside: the paper's total, and each row and measure that counts"));
   EXPECT_THAT(end.out, HasSubstr("what was chosen"));
   EXPECT_THAT(end.out, HasSubstr("system: toy"));  // of the file of choices
   EXPECT_THAT(Text("grid/results.csv"), HasSubstr("start.r_m"));
