@@ -47,6 +47,14 @@ SceneObject Object(RenderMesh mesh, const Pose3& X_WO, double albedo) {
           Eigen::Vector3d::Constant(albedo)};
 }
 
+/// Of a lit room: from lamps and walls on all sides.
+Lighting Room() {
+  Lighting lit;
+  lit.sun_and_sky.sun_irradiance = 0.0;
+  lit.sun_and_sky.sky_irradiance = 1.8;  // as much as even light has in all; the camera exposes
+  return lit;
+}
+
 /// Broken shade: leaves of a sparse crown, strewn over a disc across the sun's direction.
 RenderMesh Leaves(RandomStream& random) {
   // assumed: crown 2.4 m across, leaf clusters of 4-12 cm, a third of the light held back
@@ -178,6 +186,9 @@ Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_D
       break;
     case Light::kHardShadow:
       lit = HardShadow(random, p_LB, ground, sun);
+      break;
+    case Light::kRoom:
+      lit = Room();
       break;
   }
   if (sun.temperature_k > 0.0) lit.sun_and_sky.sun_rgb = BlackbodyRgb(sun.temperature_k);

@@ -1,5 +1,5 @@
 // The three kinds of light of the Mars Yard days, made of sun, sky and occluders (Tsai et al., V-D:
-// even or lightly speckled on days 1 and 2, an intense uneven shadow on day 3).
+// even or lightly speckled on days 1 and 2, an intense uneven shadow on day 3), and that of a room.
 #pragma once
 
 #include <cstdint>

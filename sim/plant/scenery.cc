@@ -6,6 +6,8 @@
 
 #include "models/read/mesh_loader.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/placement.h"
+#include "sim/plant/surroundings.h"
 
 namespace dockyard {
 namespace {
@@ -14,7 +16,6 @@ using Kind = SceneryItem::Kind;
 using Colour = SceneryItem::Colour;
 
 constexpr int kFacets = 32;
-constexpr int kTries = 200;
 // Assumed, 0.1-0.6, 0.7-0.9 and 0.03-0.1.
 constexpr double kGrey = 0.3, kWhite = 0.8, kBlack = 0.05;
 constexpr double kTopOfCone = 0.2;  // its radius, of that of the foot; assumed, 0.1-0.3
@@ -110,30 +111,6 @@ Spectrum ReflectanceOf(Colour colour) {
   return EvenGrey(kGrey);
 }
 
-double RadiusOf(const SceneryItem& solid) {
-  return solid.kind == Kind::kBox ? 0.5 * solid.size_m.head<2>().norm() : 0.5 * solid.size_m.x();
-}
-
-double DistanceTo(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d line = b - a;
-  const double share =
-      std::clamp((p - a).dot(line) / std::max(1e-12, line.squaredNorm()), 0.0, 1.0);
-  return (p - a - share * line).norm();
-}
-
-bool PlaceInDisc(RandomStream& random, double radius_m,
-                 const std::function<bool(const Eigen::Vector2d&)>& is_free, SceneryItem& solid) {
-  for (int tried = 0; tried < kTries; ++tried) {
-    const double r_m = radius_m * std::sqrt(random.Uniform());
-    const double angle = random.Uniform(-kPi, kPi), turn = random.Uniform(-kPi, kPi);
-    const Eigen::Vector2d p(r_m * std::cos(angle), r_m * std::sin(angle));
-    if (!is_free(p)) continue;
-    solid.X_DO = {p.x(), p.y(), turn};
-    return true;
-  }
-  return false;
-}
-
 std::vector<SceneryItem> DrawSet(const SceneryItem& set, const Eigen::Vector2d& start_D,
                                  std::uint64_t stream) {
   const Eigen::Vector2d middle(set.X_DO.x, set.X_DO.y);
@@ -162,6 +139,18 @@ std::vector<SceneryItem> DrawSet(const SceneryItem& set, const Eigen::Vector2d& 
   return solids;
 }
 
+namespace {
+
+std::vector<SceneryItem> Drawn(const SceneryItem& item, const Eigen::Vector2d& start_D,
+                               std::uint64_t stream) {
+  if (item.kind == Kind::kSet) return DrawSet(item, start_D, stream);
+  if (item.kind == Kind::kRoom) return DrawRoom(item, start_D, stream);
+  if (item.kind == Kind::kOutdoors) return DrawOutdoors(item, start_D, stream);
+  return {item};
+}
+
+}  // namespace
+
 void AddItems(const std::vector<SceneryItem>& items, const HeightGrid& ground, const Pose3& X_WG,
               const Pose2& X_GD, Lighting& lighting) {
   const Spectrum day = DaylightLight(6500.0);
@@ -187,13 +176,10 @@ void AddScenery(const Scenario& scenario, const HeightGrid& ground, const Pose3&
   const Pose2 start_D = scenario.start.pose();
   std::vector<SceneryItem> items;
   for (std::size_t i = 0; i < scenario.scenery.size(); ++i) {
-    const SceneryItem& item = scenario.scenery[i];
-    if (item.kind != Kind::kSet) {
-      items.push_back(item);
-      continue;
-    }
     const std::uint64_t stream = WorldSeed(StreamKey(scenario.seed, "scenery"), i, 0);
-    for (SceneryItem& solid : DrawSet(item, {start_D.x, start_D.y}, stream)) items.push_back(solid);
+    for (SceneryItem& solid : Drawn(scenario.scenery[i], {start_D.x, start_D.y}, stream)) {
+      items.push_back(solid);
+    }
   }
   AddItems(items, ground, X_WG, X_GD, lighting);
 }

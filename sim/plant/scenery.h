@@ -1,7 +1,6 @@
 // Scenery as the cameras see it.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,14 +20,6 @@ RenderMesh TurnedMesh(const std::vector<Eigen::Vector2d>& profile_m, const Pose3
 RenderMesh SolidMesh(SceneryItem::Kind kind, const Eigen::Vector3d& size_m);
 Spectrum ReflectanceOf(SceneryItem::Colour colour);
 
-/// Of the circle round a solid that is upright, in plan.
-double RadiusOf(const SceneryItem& solid);
-/// In plan, of a point from a line between two others.
-double DistanceTo(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
-/// Puts a solid on a free place within the radius about the origin, with any turn; false after 200
-/// tries.
-bool PlaceInDisc(RandomStream& random, double radius_m,
-                 const std::function<bool(const Eigen::Vector2d& p)>& is_free, SceneryItem& solid);
 /// The solids of a set, each from numbers of its own, however many there are; fewer where there is
 /// no room. stream: of the set alone.
 std::vector<SceneryItem> DrawSet(const SceneryItem& set, const Eigen::Vector2d& start_D,

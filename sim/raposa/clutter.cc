@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/random.h"
-#include "sim/plant/scenery.h"
+#include "sim/plant/placement.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -10,6 +10,8 @@ const char* LightName(Light light) {
       return "speckled";
     case Light::kHardShadow:
       return "hard_shadow";
+    case Light::kRoom:
+      return "room";
   }
   return "unknown";
 }

@@ -16,8 +16,9 @@
 
 namespace dockyard {
 
-enum class Light { kEven, kSpeckled, kHardShadow };
-const char* LightName(Light light);  // even | speckled | hard_shadow, as in the files
+enum class Light { kEven, kSpeckled, kHardShadow, kRoom };
+/// even | speckled | hard_shadow | room, as in the files.
+const char* LightName(Light light);
 
 /// Overrides of the light's defaults. NaN (angles) or 0 (temperatures) keeps the default: random
 /// angles, white light.

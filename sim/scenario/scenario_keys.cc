@@ -255,7 +255,8 @@ void SayWhereToGoOn(const std::function<void()>& read) {
 
 const std::vector<std::string>& LightWords() {
   static const std::vector<std::string> words{LightName(Light::kEven), LightName(Light::kSpeckled),
-                                              LightName(Light::kHardShadow)};
+                                              LightName(Light::kHardShadow),
+                                              LightName(Light::kRoom)};
   return words;
 }
 

@@ -14,7 +14,23 @@ constexpr std::size_t kMostItems = 200;
 constexpr int kMostInSet = 500;
 // The renderer draws 2000 objects, of which the robot, its target and shade are some.
 constexpr int kMostSolids = 1500;
-constexpr Range kSide_m{0.01, 100.0};
+constexpr Range kSide_m{0.01, 100.0}, kRoomSide_m{2.0, 30.0};
+// Walls, furniture and joints of the largest room; trees and the like outdoors.
+constexpr int kMostOfRoom = 400, kMostOutdoors = 40;
+
+/// How many solids it may become.
+int SolidsOf(const SceneryItem& item) {
+  switch (item.kind) {
+    case Kind::kSet:
+      return item.count;
+    case Kind::kRoom:
+      return kMostOfRoom + item.count;
+    case Kind::kOutdoors:
+      return kMostOutdoors + item.count;
+    default:
+      return 1;
+  }
+}
 
 /// The keys of one kind, next to those of all.
 std::vector<std::string> KeysOf(Kind kind) {
@@ -22,6 +38,14 @@ std::vector<std::string> KeysOf(Kind kind) {
   const auto add = [&](std::initializer_list<const char*> more) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
+  if (kind == Kind::kRoom) {
+    add({"turn_deg", "length_m", "width_m", "things", "clear_m"});
+    return keys;
+  }
+  if (kind == Kind::kOutdoors) {
+    add({"turn_deg", "radius_m", "things", "clear_m"});
+    return keys;
+  }
   if (kind == Kind::kSet) {
     add({"count", "radius_m", "least_m", "largest_m", "clear_m", "colours"});
     return keys;
@@ -56,8 +80,23 @@ void ReadSet(const YamlReader& in, SceneryItem& item) {
   }
 }
 
+/// Of a room or the outdoors.
+void ReadSurroundings(const YamlReader& in, SceneryItem& item) {
+  item.X_DO.heading = in.DegreesOr("turn_deg", 0.0, Between(-180.0, 180.0));
+  if (item.kind == Kind::kRoom) {
+    item.size_m = {in.Number("length_m", kRoomSide_m), in.Number("width_m", kRoomSide_m), 0.0};
+    item.count = 6;
+  } else {
+    item.radius_m = in.NumberOr("radius_m", 6.0, Between(1.0, 50.0));
+    item.count = 40;
+  }
+  if (in.Has("things")) item.count = in.Integer("things", 0, kMostInSet);
+  item.clear_m = in.NumberOr("clear_m", 0.8, NonNegative(50.0));
+}
+
 SceneryItem ReadItem(YamlNode& node, const std::string& path) {
-  static const std::vector<std::string> kinds{"box", "cylinder", "cone", "sphere", "mesh", "set"};
+  static const std::vector<std::string> kinds{"box",  "cylinder", "cone", "sphere",
+                                              "mesh", "set",      "room", "outdoors"};
   std::vector<std::string> all;
   for (int kind = 0; kind < static_cast<int>(kinds.size()); ++kind) {
     for (const std::string& key : KeysOf(static_cast<Kind>(kind))) all.push_back(key);
@@ -72,6 +111,10 @@ SceneryItem ReadItem(YamlNode& node, const std::string& path) {
   item.X_DO.y = in.Number("y_m", Between(-200.0, 200.0));
   if (item.kind == Kind::kSet) {
     ReadSet(in, item);
+    return item;
+  }
+  if (item.kind == Kind::kRoom || item.kind == Kind::kOutdoors) {
+    ReadSurroundings(in, item);
     return item;
   }
   item.up_m = in.NumberOr("up_m", 0.0, Between(-100.0, 100.0));
@@ -115,7 +158,7 @@ void ReadScenery(Scenario& s) {
   int solids = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     s.scenery.push_back(ReadItem(items[i], YamlReader::PathOf("scenery", i)));
-    solids += s.scenery.back().kind == Kind::kSet ? s.scenery.back().count : 1;
+    solids += SolidsOf(s.scenery.back());
     if (solids <= kMostSolids) continue;
     throw ConfigError(items[i].place.Text() + ": " + YamlReader::PathOf("scenery", i) +
                       ": expected at most " + std::to_string(kMostSolids) +

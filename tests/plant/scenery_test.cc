@@ -7,6 +7,7 @@
 #include <set>
 
 #include "render/measure.h"
+#include "sim/plant/placement.h"
 #include "sim/scenario/scenery_keys.h"
 #include "support/bad_files.h"
 
@@ -117,6 +118,9 @@ TEST(Scenery, BadItemsAreRefusedWithTheirPlace) {
       {"kind: set, count: 3, radius_m: 2, least_m: 2, largest_m: 1, " + at, "at most largest_m"},
       {"kind: set, count: 3, radius_m: 2, colours: [blue, pink], " + at, "expected one of grey"},
       {"kind: mesh, file: nothing.obj, " + at, "nothing.obj"},
+      {"kind: room, length_m: 1, width_m: 5, " + at, "scenery[0].length_m: expected"},
+      {"kind: room, length_m: 5, width_m: 5, radius_m: 3, " + at, "radius_m"},
+      {"kind: outdoors, things: -1, " + at, "scenery[0].things: expected"},
   };
   for (const auto& each : cases) {
     EXPECT_THAT(MessageOf([&] { ScenarioOf("[{" + each.item + "}]"); }, folder),

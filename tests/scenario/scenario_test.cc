@@ -105,9 +105,9 @@ TEST_F(ScenarioFile, FilesOfTheSystemAndOfChangesBecomeAbsolute) {
 TEST_F(ScenarioFile, BadValuesAreToldByPlaceAndPath) {
   EXPECT_EQ(Changed("r_m: 4,", "r_m: ten,"),
             "scenarios/s.yaml:6:14: start.r_m: expected a number from 0.1 to 100, found 'ten'");
-  EXPECT_EQ(
-      Changed("light: even", "light: dim"),
-      "scenarios/s.yaml:7:8: light: expected one of even, speckled, hard_shadow, found 'dim'");
+  EXPECT_EQ(Changed("light: even", "light: dim"),
+            "scenarios/s.yaml:7:8: light: expected one of even, speckled, hard_shadow, room, found "
+            "'dim'");
   EXPECT_EQ(Changed("controller: wave", "controller: autopilot"),
             "scenarios/s.yaml:5:13: controller: expected one of straight, wave, found 'autopilot'");
   EXPECT_EQ(Changed("system: toy", "system: tow"),

@@ -5,6 +5,7 @@
 #include "controller/raposa/drive.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
+#include "sim/plant/placement.h"
 #include "sim/plant/scenery.h"
 #include "sim/raposa/raposa_plant.h"
 #include "support/source_tree.h"
