@@ -14,6 +14,9 @@ struct ColourView {
   Camera camera;  // any lens with one centre, all pixels within 65 deg off the axis
   ViewHole hole{};
   double vignetting_exponent = 0.0;  // light falls off as cos^n of the angle off the axis
+  // Rays along a pixel's side, but about the scene's Interest, which has more. 1 is enough for a
+  // lens whose blur is as wide as a pixel.
+  double rays = 2.0;
 
   bool operator==(const ColourView&) const = default;
 };

@@ -16,8 +16,10 @@ namespace {
 
 constexpr std::size_t kMostLenses = 8;  // that are kept
 constexpr double kMostRays = 4e6;
-constexpr double kMostCloseRays = 90e3;  // beyond, the thing is large enough for the wide view
-constexpr int kBlurRoom_px = 6;          // round the lit part, for a blur of 1.5 px
+// Beyond this number the thing is large enough for the wide view, or for kWideRays where that has
+// fewer.
+constexpr double kMostCloseRays = 90e3;
+constexpr int kBlurRoom_px = 6;  // round the lit part, for a blur of 1.5 px
 // Some 40 cm^2 of robot and target, seen from less than a metre: texels of millimetres.
 constexpr ShadowDetail kShadow{.coarse_texels = 384, .fine_texels = 256, .near_m = 1.5};
 // From 0.1 m over the ground rings a few pixels apart at 400 px/rad, spokes 12 px.
@@ -65,6 +67,7 @@ TanRect RectOf(const Camera& camera, const PixelGrid& grid, const std::vector<Pi
 ColourViews::Lens ColourViews::MakeLens(const ColourView& view) {
   CheckHole(view.hole);
   DOCKYARD_CHECK(view.vignetting_exponent >= 0.0 && view.vignetting_exponent <= 20.0);
+  DOCKYARD_CHECK(view.rays >= 0.5 && view.rays <= 4.0);
   const Camera& camera = view.camera;
   const TanScale scale(camera);
   DOCKYARD_CHECK(!scale.pupil_moves());
@@ -144,20 +147,29 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
     channel.values.assign(lens.shares.size(), 0.0f);
   }
   for (const Pose3& X : X_WC) {
-    SizeView(view.camera, lens.rect, kWideRays, kMostRays, wide_);
+    SizeView(view.camera, lens.rect, view.rays, kMostRays, wide_);
     const Pose3 X_WV = Rolled(X);
     painter.PaintInto(wide_target_, X_WV, wide_);
     if (level) AddLevelGround(scene.ground, X_WV, wide_);
     const FlatView* close = nullptr;
+    int close_rays = kCloseRays;
     if (const auto about = CloseRect(scene, X_WV, lens.rect)) {
-      SizeView(view.camera, *about, kCloseRays, kMostRays, close_);
-      if (static_cast<double>(close_.width) * close_.height <= kMostCloseRays) {
+      const auto fits = [&] {
+        SizeView(view.camera, *about, close_rays, kMostRays, close_);
+        return static_cast<double>(close_.width) * close_.height <= kMostCloseRays;
+      };
+      bool wanted = fits();
+      if (!wanted && view.rays < kWideRays) {
+        close_rays = kWideRays;
+        wanted = fits();
+      }
+      if (wanted) {
         painter.PaintInto(close_target_, X_WV, close_);
         if (level) AddLevelGround(scene.ground, X_WV, close_);
         close = &close_;
       }
     }
-    ComposeColour(lens.grid, lens.spans, wide_, close, lit, colours, X, light.part);
+    ComposeColour(lens.grid, lens.spans, wide_, close, close_rays, lit, colours, X, light.part);
   }
   const float per = 1.0f / static_cast<float>(X_WC.size());
   for (RadianceImage& channel : light.part) {

@@ -28,7 +28,8 @@ class Composer {
   static_assert(kWideRays * kWideRays == kRays);
 
  public:
-  Composer(int width, const FlatView& wide, const FlatView* close, SceneShader<Value> shader)
+  Composer(int width, const FlatView& wide, const FlatView* close, int close_rays,
+           SceneShader<Value> shader)
       : row_(width),
         turned_(kColour ? width : 0),
         rays_(width),
@@ -38,8 +39,9 @@ class Composer {
         thin_(width, 0),
         wide_{ViewSampler(wide), kWideRays},
         has_thin_(wide.HasThin() || (close && close->HasThin())),
+        by_facets_(!kColour || !shader.sunlit()),
         shader_(std::move(shader)) {
-    if (close) close_.emplace(ViewSampler(*close), kColour ? kCloseRays : kWideRays);
+    if (close) close_.emplace(ViewSampler(*close), close_rays);
   }
 
   void Row(const PixelGrid& grid, int y, const PixelSpan& span, Value* radiance) {
@@ -137,7 +139,7 @@ class Composer {
       const float most = std::max(std::max(a, b), std::max(c, d));
       inverse_depth_[x] = 0.25f * (a + b + c + d);
       kind_[x] = KindOf(least, most);
-      if (!kColour && most < 0.0f && s0.object == s1.object && s0.object == s2.object &&
+      if (by_facets_ && most < 0.0f && s0.object == s1.object && s0.object == s2.object &&
           s0.object == s3.object) {
         kind_[x] = Kind::kFacet;
       }
@@ -177,7 +179,8 @@ class Composer {
     for (int x = from; x < to; ++x) radiance[x] = Mixed(source, x);
   }
 
-  // Pixels each of which met one facet: as Mixed, to the bit, but side by side.
+  // Pixels each of which met one facet: as Mixed, to the bit for a grey camera, but side by side.
+  // A colour camera's sun is left to Mixed.
   void Facets(const ViewSampler& view, int from, int to, Value* radiance) const {
     FacetRow facets;
     std::array<std::uint32_t, kFacetsAtOnce> words;
@@ -185,6 +188,11 @@ class Composer {
       const int count = std::min(kFacetsAtOnce, to - first);
       view.MeanFrom(rays_, first, count, facets.from_x.data(), facets.from_y.data());
       for (int i = 0; i < count; ++i) {
+        if constexpr (kColour) {
+          const Tan from = ToImage({facets.from_x[i], facets.from_y[i]});
+          facets.from_x[i] = from.x;
+          facets.from_y[i] = from.y;
+        }
         facets.inverse_depth[i] = -inverse_depth_[first + i];
         words[i] = view.At(rays_.at[0][first + i]).object;
       }
@@ -217,9 +225,7 @@ class Composer {
       Met& met = things[k];
       met.thing = thing;
       met.of_board = board;
-      if (object && (kColour || met.count == 0.0f)) {
-        met.normal += UnpackNormal(seen, shader_.bits());
-      }
+      if (object && (kColour || met.count == 0.0f)) met.normal += NormalOf(seen.object);
       met.Add(inverse_depth, ray, from);
     });
     Value sum{};
@@ -241,6 +247,16 @@ class Composer {
     }
     if (skies > 0.0f) sum += skies * shader_.Sky(pixel.middle);
     return 1.0f / count * sum;
+  }
+
+  // Neighbours mostly hit the same facet.
+  Eigen::Vector3f NormalOf(std::uint32_t facet) const {
+    if (facet != facet_ || !facet_known_) {
+      facet_normal_ = UnpackNormal({.object = facet}, shader_.bits());
+      facet_ = facet;
+      facet_known_ = true;
+    }
+    return facet_normal_;
   }
 
   // From sums in the view's tan plane to means in the image's.
@@ -296,8 +312,11 @@ class Composer {
   std::vector<std::uint8_t> held_, thin_;  // by the close view; by bodies that are thin
   RaySource wide_;
   std::optional<RaySource> close_;
-  bool has_thin_;
+  bool has_thin_, by_facets_;
   SceneShader<Value> shader_;
+  mutable Eigen::Vector3f facet_normal_{0, 0, 0};  // of the last facet that was hit
+  mutable std::uint32_t facet_ = 0;
+  mutable bool facet_known_ = false;
 };
 
 }  // namespace
@@ -309,7 +328,7 @@ RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatVie
       .width = grid.width, .height = grid.height, .values = {}, .inverse_depth = {}};
   image.values.resize(static_cast<std::size_t>(grid.width) * grid.height);
   if (with_depth) image.inverse_depth.resize(image.values.size());
-  Composer<float> composer(grid.width, wide, close,
+  Composer<float> composer(grid.width, wide, close, kWideRays,
                            {lit, LightIn(lit.scene, channel, X_WC), X_WC, channel});
   for (int y = 0; y < grid.height; ++y) {
     const std::size_t at = static_cast<std::size_t>(y) * grid.width;
@@ -320,9 +339,10 @@ RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatVie
 }
 
 void ComposeColour(const PixelGrid& grid, const std::vector<PixelSpan>& spans, const FlatView& wide,
-                   const FlatView* close, const Lit& lit, const ColourTable& colours,
-                   const Pose3& X_WC, std::array<RadianceImage, 3>& sum) {
-  Composer<Rgb> composer(grid.width, wide, close,
+                   const FlatView* close, int close_rays, const Lit& lit,
+                   const ColourTable& colours, const Pose3& X_WC,
+                   std::array<RadianceImage, 3>& sum) {
+  Composer<Rgb> composer(grid.width, wide, close, close_rays,
                          {lit, LightBy(colours, lit.scene, X_WC), X_WC, Channel::kGrey});
   std::vector<Rgb> row(static_cast<std::size_t>(grid.width));
   for (int y = 0; y < grid.height; ++y) {

@@ -28,7 +28,8 @@ inline constexpr int kWideRays = 2, kCloseRays = 4;
 /// Adds the radiance of each row's span to the three images, red, green, blue, of the grid's size.
 /// The views are rolled by kViewTurn_rad about the camera's axis, X_WC is not.
 void ComposeColour(const PixelGrid& grid, const std::vector<PixelSpan>& spans, const FlatView& wide,
-                   const FlatView* close, const Lit& lit, const ColourTable& colours,
-                   const Pose3& X_WC, std::array<RadianceImage, 3>& sum);
+                   const FlatView* close, int close_rays, const Lit& lit,
+                   const ColourTable& colours, const Pose3& X_WC,
+                   std::array<RadianceImage, 3>& sum);
 
 }  // namespace dockyard

@@ -103,6 +103,8 @@ class SceneShader {
     }
   }
 
+  bool sunlit() const { return light_.sunlit; }
+
   /// Of an object. Lambert's law is linear in the normal, so the mean one serves for all rays,
   /// unless some of them meet faces that are turned away from a light.
   Value OfObject(std::size_t object, const Met& met, const Pixel& pixel) const {
