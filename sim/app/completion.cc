@@ -66,7 +66,9 @@ void AddContexts(const CLI::App& command, const std::string& path, std::vector<C
 /// The program's own commands know their options; a system's reads its words itself.
 void AddOptionsOf(const std::vector<System>& systems, Context& context) {
   for (const System& system : systems) {
-    for (const SystemCommand& own : system.commands) {
+    std::vector<SystemCommand> all = system.commands;
+    if (system.detect.run) all.push_back(system.detect);
+    for (const SystemCommand& own : all) {
       if (own.name != context.path) continue;
       for (const CommandOption& option : own.options) {
         context.options.push_back({option.name, FirstLine(option.meaning), {}, option.takes_value});

@@ -278,11 +278,28 @@ int Detect(const DetectArguments& arguments, Invocation& call) {
   return answer.report.accepted ? kExitDone : kExitNoSuccess;
 }
 
+/// The options of systems with a perception of their own.
+std::string OptionsOfSystems(const std::vector<System>& systems) {
+  std::string text;
+  for (const System& system : systems) {
+    if (!system.detect.run) continue;
+    text += "\nWith a robot or a --scenario of the system " + system.name +
+            " instead: " + system.detect.help + "\n";
+    for (const CommandOption& option : system.detect.options) {
+      text += "  " + option.name +
+              std::string(option.name.size() < 14 ? 14 - option.name.size() : 0, ' ') + "  " +
+              option.meaning + "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 void AddDetectCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", kDetectHelp);
+  command->footer(OptionsOfSystems(call.systems));
   command->add_option("LEFT", arguments->left,
                       "image of the left camera, or of the one that --camera names");
   command->add_option("RIGHT", arguments->right, "image of the right camera");

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "models/read/config_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/examples.h"
 #include "sim/app/exit_codes.h"
@@ -20,6 +21,7 @@
 #include "sim/app/terminal.h"
 #include "sim/base/math_pin.h"
 #include "sim/base/shell_word.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 namespace {
@@ -44,21 +46,36 @@ std::string ValueOf(const std::vector<std::string>& words, const std::string& op
   return "";
 }
 
-/// The exit code of `detect` where the robot's system has a perception of its own.
+/// The system whose own perception `detect` is to use: that of the robot or of the scenario.
+const System* DetectingSystem(const std::vector<std::string>& words, const Invocation& call) {
+  const std::string robot = ValueOf(words, "--robot"), scenario = ValueOf(words, "--scenario");
+  if (!scenario.empty()) {
+    const std::string name = LoadScenario(scenario, {}, KnownSystems(call.systems)).system;
+    const System& system = FindSystem(call.systems, name);
+    if (system.detect.run) return &system;
+    throw ConfigError(scenario +
+                      ": expected a scenario of a system with a perception of its own, "
+                      "found one of " +
+                      name + ", for whose images `detect` has --robot and --board");
+  }
+  if (robot.empty()) return nullptr;
+  for (const System& system : call.systems) {
+    if (system.detect.run && system.files.check && system.files.check(robot)) return &system;
+  }
+  return nullptr;
+}
+
+/// The exit code of `detect` where the system has a perception of its own.
 std::optional<int> DetectBySystem(int argc, char** argv, const Invocation& call) {
   if (argc < 2 || std::string(argv[1]) != "detect") return std::nullopt;
   const std::vector<std::string> words(argv + 2, argv + argc);
-  const std::string robot = ValueOf(words, "--robot");
-  if (robot.empty()) return std::nullopt;
-  for (const System& system : call.systems) {
-    if (!system.detect || !system.files.check || !system.files.check(robot)) continue;
-    try {
-      return system.detect(call.program, words);
-    } catch (const CLI::ParseError& error) {  // which says where its own help is
-      throw UsageError("detect, with a robot of the system " + system.name + ": " + error.what());
-    }
+  const System* system = DetectingSystem(words, call);
+  if (system == nullptr) return std::nullopt;
+  try {
+    return system->detect.run(call.program, words);
+  } catch (const CLI::ParseError& error) {  // which says where its own help is
+    throw UsageError("detect, for the system " + system->name + ": " + error.what());
   }
-  return std::nullopt;
 }
 
 /// Whether the words ask for more than help or a check of files: for numbers, whose bits must not

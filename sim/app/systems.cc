@@ -35,7 +35,7 @@ std::vector<System> Systems() {
               axel::MakeScriptedController),
           raposa::RaposaSystem({{"dockyard", raposa::MakeDockyardController},
                                 {"ferreira2009", raposa::MakeFerreira2009Controller}},
-                               raposa::RaposaCommands(), raposa::DetectMarks),
+                               raposa::RaposaCommands(), raposa::DetectCommand()),
           rocky7::Rocky7System({{"dockyard", rocky7::MakeDockyardController},
                                 {"nesnas2000", rocky7::MakeNesnas2000Controller}}),
           custom::CustomSystem({{"graceful", MakeGraceful}})};

@@ -143,9 +143,9 @@ struct System {
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
   std::function<void(const Scenario&, const std::filesystem::path& dir)> view;
   FileReaders files;
-  /// `dockyard detect` for a robot of this system whose perception is its own. Empty: the
-  /// program's own, which locates boards of discs.
-  CommandFunction detect;
+  /// `dockyard detect` for a robot or a scenario of this system, whose perception is its own.
+  /// Without `run`: the program's own, which locates boards of discs.
+  SystemCommand detect;
   /// Names the keys under the system's own name, for the schema of its scenarios. Empty: the
   /// schema leaves them open.
   std::function<void(Keys&)> keys;

@@ -73,7 +73,7 @@ TEST(Messages, LeadsToTheHelpOfASystemsOwnDetect) {
   const Ended unknown = Dockyard(detect + "--board models/axel/station/station.yaml");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_EQ(unknown.err,
-            "error: detect, with a robot of the system raposa: unknown option "
+            "error: detect, for the system raposa: unknown option "
             "'--board'; " +
                 ProgramPath() + " detect --robot FILE --help lists the options\n");
   EXPECT_THAT(Dockyard(detect + "--draww x.png").err, EndsWith("did you mean '--draw'?\n"));

@@ -53,5 +53,5 @@ set(rooms
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/|sim/app/<system>/"
-  "sim/app/<system>|a system's own commands|${models}|models/<system>/|controller/(vision|<system>)/|sim/(base|images|run)/|sim/app/<system>/|CLI/"
+  "sim/app/<system>|a system's own commands|${models}|models/<system>/|controller/(vision|<system>)/|sim/(base|images|scenario|run)/|sim/<system>/|sim/app/<system>/|CLI/"
   "sim/app|the program: the command line|${models}|controller/(vision|motion|stereo)/|${low}|sim/(campaign|page|paths|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")

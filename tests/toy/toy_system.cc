@@ -142,7 +142,7 @@ System ToySystem() {
   system.check = [](const Scenario& s) { return "a point at " + NumberText(SpeedOf(s)) + " m/s"; };
   system.make_ready = MakeReady;
   system.files.check = CheckPoint;
-  system.detect = Detect;
+  system.detect = {"detect", "Says what it was asked.", Detect};
   system.example_files.scenario = "tests/toy/scenario.yaml";
   system.example_files.reproduction = "toy";
   system.reproductions = {

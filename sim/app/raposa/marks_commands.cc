@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "controller/raposa/dockyard.h"
+#include "controller/raposa/ferreira2009.h"
 #include "controller/raposa/marks.h"
 #include "controller/raposa/tune_bands.h"
 #include "models/raposa/load_pyramid.h"
@@ -20,6 +22,9 @@
 #include "sim/base/json.h"
 #include "sim/images/decode.h"
 #include "sim/images/png.h"
+#include "sim/raposa/build_run.h"
+#include "sim/raposa/raposa_system.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -28,23 +33,26 @@ const char* const kDetectHelp =
     R"(Find the pyramid in an image, as the controller of that name does.
 
 Examples:
-  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw out/marks.png
+  dockyard detect examples/raposa_back.png --scenario scenarios/raposa_point_9.yaml \
+    --draw out/marks.png
   dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline dockyard \
     --draw out/pyramid.png
 
+A scenario's robot, pyramid, colour bands and limits of the search (raposa.bands, raposa.vision)
+hold; with --robot those of the files, and the controller's own bands and limits.
 Exit code 0: both marks, as a pair; 4: no pair.)";
 const char* const kTuneHelp =
     R"(Write the bands of hue, saturation and value of the pyramid's marks, from one image of it.
 
 Examples:
-  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml
+  dockyard tune examples/raposa_back.png --scenario scenarios/raposa_point_9.yaml
 
 A command of the system raposa. The image should show both marks whole, from 0.5 to 1.5 m and 20 to
 60 deg off the axis. Exit code 4: no pair of marks fits the pyramid's dimensions.)";
 constexpr int kNoPair = 4;
 
 struct Arguments {
-  std::string image, robot, pyramid = "models/raposa/pyramid/pyramid.yaml";
+  std::string image, scenario, robot, pyramid = "models/raposa/pyramid/pyramid.yaml";
   std::string pipeline = "ferreira2009", draw;
   double pitch_deg = 0.0;
   bool json = false;
@@ -52,8 +60,12 @@ struct Arguments {
 
 void AddOptions(CLI::App& app, Arguments& in) {
   app.add_option("IMAGE", in.image, "PNG, JPEG, PGM, PPM or WebP")->required();
-  app.add_option("--robot", in.robot, "RAPOSA's file")->required();
-  app.add_option("--pyramid", in.pyramid, "the pyramid's file")->capture_default_str();
+  CLI::Option* scenario =
+      app.add_option("--scenario", in.scenario, "of whose robot and pyramid the image is");
+  app.add_option("--robot", in.robot, "instead: RAPOSA's file ...")->excludes(scenario);
+  app.add_option("--pyramid", in.pyramid, "... and the pyramid's")
+      ->capture_default_str()
+      ->excludes(scenario);
   app.add_flag("--json", in.json, "JSON on standard output");
 }
 
@@ -76,6 +88,14 @@ RgbImage Load(const std::string& file, const Camera& camera) {
 }
 
 Nominal NominalOfFiles(const Arguments& in) {
+  if (!in.scenario.empty()) {
+    const std::vector<System> systems{RaposaSystem(
+        {{"dockyard", MakeDockyardController}, {"ferreira2009", MakeFerreira2009Controller}})};
+    const Scenario scenario = LoadScenario(in.scenario, {}, KnownSystems(systems));
+    return BuildRun(scenario, LoadModels(scenario)).nominal;
+  }
+  if (in.robot.empty())
+    throw ConfigError("expected --scenario FILE or --robot FILE, found neither");
   return MakeNominal(LoadRobot(in.robot), LoadPyramid(in.pyramid));
 }
 
@@ -162,13 +182,7 @@ std::vector<CommandOption> TuneOptions() {
   return OptionsOf(app);
 }
 
-}  // namespace
-
-int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
-  Arguments in;
-  // Without a robot of this system the help is that of another search.
-  const std::string help = program + " detect --robot FILE --help";
-  CLI::App app(WithProgram(kDetectHelp, program), program + " detect");
+void AddDetectOptions(CLI::App& app, Arguments& in) {
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
       ->check(CLI::IsMember({"ferreira2009", "dockyard"}))
@@ -177,6 +191,14 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
   app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
+}
+
+int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
+  Arguments in;
+  // Without a robot of this system the help is that of another search.
+  const std::string help = program + " detect --robot FILE --help";
+  CLI::App app(WithProgram(kDetectHelp, program), program + " detect");
+  AddDetectOptions(app, in);
   if (const auto ended = ParseWords(app, words, help)) return *ended;
   if (!std::isfinite(in.pitch_deg)) {  // CLI::Range lets it through
     throw ConfigError("--pitch-deg: expected a number from -60 to 60");
@@ -201,6 +223,15 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
   }
   PrintMarks(seen, in.json);
   return seen.pair ? 0 : kNoPair;
+}
+
+}  // namespace
+
+SystemCommand DetectCommand() {
+  Arguments unread;
+  CLI::App app;
+  AddDetectOptions(app, unread);
+  return {"detect", "Find RAPOSA's pyramid in an image.", DetectMarks, OptionsOf(app)};
 }
 
 std::vector<SystemCommand> RaposaCommands() {

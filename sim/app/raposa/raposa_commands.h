@@ -9,8 +9,7 @@
 namespace dockyard::raposa {
 
 std::vector<SystemCommand> RaposaCommands();
-/// `dockyard detect IMAGE --robot FILE ...`, as System::detect. Throws ConfigError and
-/// CLI::ParseError.
-int DetectMarks(const std::string& program, const std::vector<std::string>& words);
+/// `dockyard detect IMAGE --scenario FILE ...`, as System::detect.
+SystemCommand DetectCommand();
 
 }  // namespace dockyard::raposa
