@@ -21,18 +21,19 @@ constexpr float kFaintRedder = 0.15f;
 // Shares of the view that are redder and bluer than its ground and sky. The guide fills a sixth at
 // 0.2 m. Assumed, 0.18-0.3 and 0.1-0.2.
 constexpr double kRedShare = 0.22, kBlueShare = 0.15;
-constexpr double kRim_px = 2.0;  // of the hole, left out; assumed, 1-4
-// A rim as built lies so near to where it is told; it is looked for by rings of a pixel. Assumed,
-// 5-8 px, of a hole of 84 px.
-constexpr int kRimSearch_px = 6;
+// Of the hole, left out, and in which a spot is cut by it, at kLimitsFocal_px. Assumed, 1-4, 4-6.
+constexpr double kRim_px = 2.0, kCut_px = 5.0;
+// A rim as built lies so near to where it is told, at kLimitsFocal_px, of a hole of 84 px; it is
+// looked for by rings of a pixel. Assumed, 5-8 px.
+constexpr double kRimSearch_px = 6.0;
 constexpr int kLeastPairs = 2;          // assumed, 2-4
 constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3; assumed, 1-2
 constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone; assumed, 0.3-0.6
 
 // An orange region is ground in warmer light, such as the shade of a sun that is bluer than the
 // sky, where it is larger than this and longer, or emptier, than a guide: that is 1.7 times as long
-// as wide and fills 0.7 of its box. Assumed, 30-100 pairs, 2-3, 0.35-0.5.
-constexpr std::size_t kGroundPairs = 50;
+// as wide and fills 0.7 of its box. Assumed, 30-100 pairs at kLimitsFocal_px, 2-3, 0.35-0.5.
+constexpr double kGroundPairs = 50.0;
 constexpr double kGroundLonger = 2.5, kGroundFill = 0.4;
 
 float RedBlue(const Eigen::Vector3f& c) { return std::log((c[0] + kDark) / (c[2] + kDark)); }
@@ -58,8 +59,8 @@ Region Grow(const TintMap& map, int i0, int j0, std::vector<std::uint8_t>* taken
   return region;
 }
 
-bool IsGround(const Region& region) {
-  if (region.pairs.size() < kGroundPairs) return false;
+bool IsGround(const Region& region, double finer) {
+  if (static_cast<double>(region.pairs.size()) < kGroundPairs * finer * finer) return false;
   Eigen::Vector2i low = region.pairs.front(), high = low;
   for (const Eigen::Vector2i& at : region.pairs) {
     low = low.cwiseMin(at);
@@ -79,7 +80,7 @@ void LeaveWarmGround(TintMap* map, float redder_by) {
       const std::size_t k = map->Index(i, j);
       if (map->tints[k] != Tint::kOrange || taken[k]) continue;
       const Region region = Grow(*map, i, j, &taken);
-      if (!IsGround(region)) continue;
+      if (!IsGround(region, map->finer)) continue;
       std::vector<float> values;
       for (const Eigen::Vector2i& at : region.pairs) {
         values.push_back(map->red_blue[map->Index(at.x(), at.y())]);
@@ -114,7 +115,7 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
     spot.top = std::min(spot.top, at.y());
     spot.bottom = std::max(spot.bottom, at.y());
     spot.strength += map.red_blue[map.Index(at.x(), at.y())] - level;
-    spot.clipped = spot.clipped || map.Inside(at.x(), at.y()) < 5.0;
+    spot.clipped = spot.clipped || map.Inside(at.x(), at.y()) < kCut_px * map.finer;
   }
   if (spot.strength < (map.spots == Spots::kFaint ? kFaintStrength : kLeastStrength))
     return std::nullopt;
@@ -152,15 +153,18 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
 
 /// Radius at which the view is half as bright as a little further in: its rim, seen. The told one
 /// where the picture shows none.
-double RimOf(const PairImage& light, const Eigen::Vector2d& middle_px, double told_px) {
-  constexpr int kRings = 2 * kRimSearch_px + 5, kInner = 4;
-  const double from_px = told_px - kRimSearch_px - kInner;
-  std::array<double, kRings> sum{}, count{};
+double RimOf(const PairImage& light, const Eigen::Vector2d& middle_px, double told_px,
+             double finer) {
+  constexpr int kInner = 4;
+  const double search_px = std::round(kRimSearch_px * finer);
+  const double from_px = told_px - search_px - kInner;
+  const auto rings = static_cast<std::size_t>(2.0 * search_px) + kInner + 1;
+  std::vector<double> sum(rings, 0.0), count(rings, 0.0);
   for (int j = 0; j < light.height; ++j) {
     for (int i = 0; i < light.width; ++i) {
       const double r_px = (Eigen::Vector2d(2.0 * i + 0.5, j) - middle_px).norm();
       const double ring = std::floor(r_px - from_px);
-      if (ring < 0.0 || ring >= kRings) continue;
+      if (ring < 0.0 || ring >= static_cast<double>(rings)) continue;
       sum[static_cast<std::size_t>(ring)] += light.At(i, j)[1];
       count[static_cast<std::size_t>(ring)] += 1.0;
     }
@@ -171,7 +175,7 @@ double RimOf(const PairImage& light, const Eigen::Vector2d& middle_px, double to
     inner += sum[k] / count[k] / kInner;
   }
   double before = inner;
-  for (std::size_t k = kInner; k < kRings && count[k] > 0.0; ++k) {
+  for (std::size_t k = kInner; k < rings && count[k] > 0.0; ++k) {
     const double now = sum[k] / count[k];
     if (now < 0.5 * inner) {
       const double share = (before - 0.5 * inner) / std::max(before - now, 1e-12);
@@ -193,14 +197,15 @@ TintMap TintsOf(const RgbImage& image, const Nominal& nominal, Spots spots) {
   map.spots = spots;
   map.light = ToLinearPairs(image);
   map.middle_px = nominal.camera.centre_px();
+  map.finer = nominal.camera.focal_px().x() / kLimitsFocal_px;
   map.hole_px = RimOf(map.light, map.middle_px,
-                      nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad));
+                      nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad), map.finer);
   map.red_blue.assign(map.light.pairs.size(), 0.0f);
   map.tints.assign(map.light.pairs.size(), Tint::kUnseen);
   std::vector<float> seen;
   for (int j = 1; j + 1 < map.light.height; ++j) {
     for (int i = 0; i < map.light.width; ++i) {
-      if (map.Inside(i, j) < kRim_px) continue;
+      if (map.Inside(i, j) < kRim_px * map.finer) continue;
       const std::size_t k = map.Index(i, j);
       map.red_blue[k] = RedBlue(0.25f * (map.light.At(i, j - 1) + map.light.At(i, j + 1)) +
                                 0.5f * map.light.At(i, j));

@@ -15,6 +15,9 @@ namespace dockyard::raposa {
 /// Sigma of the image's blur, lens and pixel together. Assumed, 0.7-1.5.
 inline constexpr double kImageBlur_px = 1.0;
 
+/// Limits in pixels that are angles, such as the hole's shade, are of this focal length.
+inline constexpr double kLimitsFocal_px = 377.0;
+
 enum class Tint : std::uint8_t { kPlain, kOrange, kBlue, kUnseen };
 
 /// Which orange counts: what clearly differs from the view, or also a guide too far for that.
@@ -26,6 +29,7 @@ struct TintMap {
   std::vector<float> red_blue;  // ln R/B of each pair, columns smoothed
   std::vector<Tint> tints;
   double hole_px = 0.0;  // radius of what the hole leaves, about middle_px
+  double finer = 1.0;    // focal length over kLimitsFocal_px
   Eigen::Vector2d middle_px{0.0, 0.0};
   Spots spots = Spots::kClear;
 

@@ -9,8 +9,8 @@
 namespace dockyard::raposa {
 namespace {
 
-// From the hole's rim, inwards: half the width of its shade [px]. The pupil's diameter over the
-// hole's distance; assumed, 2-6.
+// From the hole's rim, inwards: half the width of its shade [px], at kLimitsFocal_px. The pupil's
+// diameter over the hole's distance; assumed, 2-6.
 constexpr double kShade_px = 4.5;
 // Sky and ground differ by this in ln green. Assumed, 0.2-0.5.
 constexpr double kHorizonStep = 0.3;
@@ -28,7 +28,7 @@ std::optional<double> HorizonIn(const TintMap& map, const PixelRect& rect, doubl
   for (int j = j0; j <= j1; ++j) {
     std::vector<double> row;
     for (int i = i0; i <= i1; ++i) {
-      if (map.tints[map.Index(i, j)] == Tint::kPlain && map.Inside(i, j) > kShade_px) {
+      if (map.tints[map.Index(i, j)] == Tint::kPlain && map.Inside(i, j) > kShade_px * map.finer) {
         row.push_back(std::log(map.light.At(i, j)[1] + 1e-3));
       }
     }
@@ -100,7 +100,10 @@ std::optional<FitWindow> WindowOn(const TintMap& map, const GroundColour& ground
   const int bottom = std::min(map.light.height, static_cast<int>(std::ceil(rect.bottom)) + 1);
   if (right - left < 4 || bottom - top < 3) return std::nullopt;
   const double area = static_cast<double>(right - left) * (bottom - top);
-  window.unit_px = area <= 2.0 * most_cells ? 1 : area <= 4.0 * most_cells ? 2 : 4;
+  window.unit_px = area <= 2.0 * most_cells    ? 1
+                   : area <= 4.0 * most_cells  ? 2
+                   : area <= 16.0 * most_cells ? 4
+                                               : 8;
   const int across = window.across_px(), down = window.unit_px;
   window.x0_px = left - left % 2;
   window.y0_px = top;
@@ -117,7 +120,7 @@ std::optional<FitWindow> WindowOn(const TintMap& map, const GroundColour& ground
         for (int u = 0; u < across / 2; ++u) {
           const int pair = window.x0_px / 2 + i * across / 2 + u, row = top + j * down + v;
           sum += map.light.At(pair, row).cast<double>();
-          seen = seen && map.Inside(pair, row) > kShade_px;
+          seen = seen && map.Inside(pair, row) > kShade_px * map.finer;
           const Tint tint = map.tints[map.Index(pair, row)];
           ground_only = ground_only && tint == Tint::kPlain;
           blue = blue || tint == Tint::kBlue;

@@ -9,11 +9,10 @@
 namespace dockyard::raposa {
 namespace {
 
-constexpr double kMostSeen_rad = Radians(110.0);  // both colours without occlusion (F, C.2)
-constexpr double kRounding_rad = Radians(0.01);   // of lengths written with four digits
+constexpr double kRounding_rad = Radians(0.01);  // of lengths written with four digits
 
-bool Seen(double alpha_rad) {
-  return alpha_rad >= -kRounding_rad && alpha_rad <= kMostSeen_rad + kRounding_rad;
+bool Visible(double alpha_rad) {
+  return alpha_rad >= -kRounding_rad && alpha_rad <= kVisibleTo_rad + kRounding_rad;
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ MarkAngle AngleOfMarks(double c_px, double g_px, double edge_m, double behind_m,
   angle.beyond_root = share > 1.0;
   angle.alpha_rad = std::asin(std::min(share, 1.0)) - psi_rad;
   angle.other_rad = 2.0 * TurningPoint(edge_m, behind_m) - angle.alpha_rad;
-  angle.ambiguous = angle.beyond_root || Seen(angle.alpha_rad) == Seen(angle.other_rad);
+  angle.ambiguous = angle.beyond_root || Visible(angle.alpha_rad) == Visible(angle.other_rad);
   angle.d_m = edge_m * focal_px / g_px;
   angle.r_m = angle.d_m - behind_m * std::cos(angle.alpha_rad) + half_m * std::sin(angle.alpha_rad);
   return angle;

@@ -2,7 +2,12 @@
 // (7) of Ferreira and Ventura ("F").
 #pragma once
 
+#include "controller/geometry/pose.h"
+
 namespace dockyard::raposa {
+
+/// Angle about the pyramid to which both colours are visible without occlusion (F, C.2).
+inline constexpr double kVisibleTo_rad = Radians(110.0);
 
 /// What two lengths say. Without a side: alpha > 0 on either (the blue mark's side gives the sign).
 struct MarkAngle {

@@ -13,7 +13,7 @@ struct Predicted {
   double height_px = 0.0;
   double most_c_px = 0.0;    // at the turning point of (7)
   double area_ratio = 0.0;   // square over ellipse, face on
-  double least_share = 0.0;  // of that ratio, at the turning point
+  double least_share = 0.0;  // of that ratio, at the largest angle
 };
 
 Predicted Predict(const MarkPair& pair, const Nominal& nominal) {
@@ -27,7 +27,8 @@ Predicted Predict(const MarkPair& pair, const Nominal& nominal) {
   predicted.height_px = nominal.camera.focal_px().x() * marks.edge_m / depth_m;
   predicted.most_c_px = predicted.height_px * std::hypot(marks.behind_m, half_m) / marks.edge_m;
   predicted.area_ratio = predicted.height_px * predicted.height_px / pair.orange.area_px2;
-  predicted.least_share = std::cos(TurningPoint(marks.edge_m, marks.behind_m));
+  // There the paint on one side of the square alone is visible.
+  predicted.least_share = marks.strip_m / marks.edge_m * std::sin(kVisibleTo_rad);
   return predicted;
 }
 

@@ -61,10 +61,14 @@ ConvexPolygon Guide(const Marks& marks, Projector* projector) {
   return HullOf(points);
 }
 
+/// The tip of the faces.
+double ApexX_m(const Marks& marks) {
+  return -marks.behind_m + marks.strip_m + 0.5 * marks.edge_m * std::tan(marks.rise_rad);
+}
+
 /// As a flat band across the line of sight.
 ConvexPolygon Rod(const Marks& marks, Projector* projector) {
-  const double apex_m =
-      -marks.behind_m + 0.5 * marks.edge_m * std::tan(marks.rise_rad);  // where it meets the faces
+  const double apex_m = ApexX_m(marks);  // where it meets the faces
   const double tan_up = std::tan(marks.guide_up_rad);
   const Eigen::Vector3d near_P(0.0, 0.0, 0.0), far_P(apex_m, 0.0, apex_m * tan_up);
   const Eigen::Vector3d across =
@@ -72,22 +76,29 @@ ConvexPolygon Rod(const Marks& marks, Projector* projector) {
   return projector->Polygon({near_P + across, far_P + across, far_P - across, near_P - across});
 }
 
-/// The square along_m up the faces from the base, counter-clockwise as the guide sees it.
-std::array<Eigen::Vector3d, 4> SquareUp(const Marks& marks, double along_m) {
-  const double half_m = 0.5 * marks.edge_m - along_m * std::cos(marks.rise_rad);
-  const double x_m = -marks.behind_m + along_m * std::sin(marks.rise_rad);
+/// An upright square, counter-clockwise as the guide sees it.
+std::array<Eigen::Vector3d, 4> Square(double x_m, double half_m) {
   return {Eigen::Vector3d(x_m, -half_m, -half_m), Eigen::Vector3d(x_m, half_m, -half_m),
           Eigen::Vector3d(x_m, half_m, half_m), Eigen::Vector3d(x_m, -half_m, half_m)};
 }
 
+/// Sides and faces that the camera sees, with the paint on them.
 void AddFaces(const Marks& marks, Projector* projector, MarksInImage* out) {
-  const auto outer = SquareUp(marks, 0.0), inner = SquareUp(marks, marks.strip_m);
-  const Eigen::Vector3d apex(-marks.behind_m + 0.5 * marks.edge_m * std::tan(marks.rise_rad), 0.0,
-                             0.0);
+  const double half_m = 0.5 * marks.edge_m, edge_m = -marks.behind_m + marks.strip_m;
+  const auto rear = Square(-marks.behind_m, half_m), outer = Square(edge_m, half_m);
+  const auto inner = Square(edge_m + marks.strip_m * std::sin(marks.rise_rad),
+                            half_m - marks.strip_m * std::cos(marks.rise_rad));
+  const Eigen::Vector3d apex(ApexX_m(marks), 0.0, 0.0);
+  const auto visible = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                           const Eigen::Vector3d& c) {
+    return (b - a).cross(c - a).dot(projector->Eye() - a) > 0.0;
+  };
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t next = (k + 1) % 4;
-    const Eigen::Vector3d out_of_face = (outer[next] - outer[k]).cross(apex - outer[k]);
-    if (out_of_face.dot(projector->Eye() - outer[k]) <= 0.0) continue;
+    if (visible(rear[k], rear[next], outer[k])) {
+      out->strips.push_back(projector->Polygon({rear[k], rear[next], outer[next], outer[k]}));
+    }
+    if (!visible(outer[k], outer[next], apex)) continue;
     out->strips.push_back(projector->Polygon({outer[k], outer[next], inner[next], inner[k]}));
     out->faces.push_back(projector->Polygon({inner[k], inner[next], apex, apex}));
   }

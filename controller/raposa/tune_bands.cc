@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "controller/base/median.h"
+#include "controller/raposa/half_level.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -32,6 +36,14 @@ BandRange Middle(std::vector<int> values, double outside_share) {
   std::ranges::sort(values);
   const auto skip = static_cast<std::size_t>(outside_share * static_cast<double>(values.size()));
   return {values[skip], values[values.size() - 1 - skip]};
+}
+
+// Between which the least saturation of a mark is searched. Assumed, 15-30 and 200-250.
+constexpr int kLeastSaturation = 20, kMostSaturation = 220;
+
+double SquaredOff(const BlobBounds& a, const BlobBounds& b) {
+  return std::pow(a.left_px - b.left_px, 2) + std::pow(a.right_px - b.right_px, 2) +
+         std::pow(a.top_px - b.top_px, 2) + std::pow(a.bottom_px - b.bottom_px, 2);
 }
 
 }  // namespace
@@ -64,6 +76,27 @@ std::optional<HsvBand> BandOf(const ColourSearch& image, const BlobBounds& regio
                  .saturation_to = 255,
                  .value_from = static_cast<std::uint8_t>(tuning.value_share * value.from),
                  .value_to = 255};
+}
+
+HsvBand AtHalfLevel(const RgbImage& image, const ColourSearch& search, const BlobBounds& region,
+                    const HsvBand& band) {
+  const auto edges = HalfLevelBounds(image, region);
+  if (!edges) return band;
+  HsvBand tried = band;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<int> best;  // saturations whose regions are equally near
+  for (int saturation = kLeastSaturation; saturation <= kMostSaturation; ++saturation) {
+    tried.saturation_from = static_cast<std::uint8_t>(saturation);
+    double off = std::numeric_limits<double>::infinity();
+    for (const ColourBlob& blob : search.Blobs(tried, 1.0)) {
+      off = std::min(off, SquaredOff(blob.bounds, *edges));
+    }
+    if (off < least) best.clear();
+    if (off <= least) best.push_back(saturation);
+    least = std::min(least, off);
+  }
+  tried.saturation_from = static_cast<std::uint8_t>(Median(std::move(best)));
+  return tried;
 }
 
 std::optional<TunedBands> TuneBands(const RgbImage& image, const Nominal& nominal,
@@ -104,8 +137,8 @@ std::optional<TunedBands> TuneBands(const RgbImage& image, const Nominal& nomina
   const auto orange = BandOf(search, about, best->orange, tuning);
   const auto blue = BandOf(search, best->pair.blue, best->blue, tuning);
   if (!orange || !blue) return std::nullopt;
-  best->orange = *orange;
-  best->blue = *blue;
+  best->orange = AtHalfLevel(image, search, about, *orange);
+  best->blue = AtHalfLevel(image, search, best->pair.blue, *blue);
   return best;
 }
 

@@ -17,12 +17,24 @@ std::array<float, 256> LinearOfByte() {
   return linear;
 }
 
+const std::array<float, 256>& Linear() {
+  static const std::array<float, 256> linear = LinearOfByte();
+  return linear;
+}
+
 }  // namespace
+
+Eigen::Vector3f LinearAt(const RgbImage& image, int x, int y) {
+  const std::uint8_t* p =
+      &image.pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(x))];
+  return {Linear()[p[0]], Linear()[p[1]], Linear()[p[2]]};
+}
 
 PairImage ToLinearPairs(const RgbImage& image) {
   DOCKYARD_CHECK(image.pixels.size() == 3 * static_cast<std::size_t>(image.width) *
                                             static_cast<std::size_t>(image.height));
-  static const std::array<float, 256> linear = LinearOfByte();
+  const std::array<float, 256>& linear = Linear();
   PairImage out{image.width / 2, image.height, {}};
   out.pairs.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
   for (int j = 0; j < out.height; ++j) {

@@ -21,7 +21,9 @@ struct PairImage {
   }
 };
 
-/// Undoes the transfer curve of sRGB (IEC 61966-2-1).
+/// Undoes the transfer curve of sRGB (IEC 61966-2-1) in one pixel.
+Eigen::Vector3f LinearAt(const RgbImage& image, int x, int y);
+/// In all of them.
 PairImage ToLinearPairs(const RgbImage& image);
 
 }  // namespace dockyard

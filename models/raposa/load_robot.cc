@@ -103,6 +103,7 @@ void VisitCamera(Keys& keys, BackCameraModel& camera) {
   keys.Number("full_well_e", camera.full_well_e, Between(100.0, 1e6));
   keys.Number("read_noise_e", camera.read_noise_e, NonNegative(1e4));
   keys.Number("vignetting_exponent", camera.vignetting_exponent, NonNegative(10.0));
+  keys.Number("exposed_level", camera.exposed_level, Between(0.02, 0.8));
 }
 
 void VisitLamps(Keys& keys, LampsModel& lamps) {

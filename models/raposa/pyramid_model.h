@@ -9,8 +9,9 @@
 
 namespace dockyard::raposa {
 
-/// Blue strips along the edges of a square that stands upright at x = -behind_m, its middle at the
-/// guide's height; faces rise from there towards the rod.
+/// Blue paint round the edges of a square that stands upright, its middle at the guide's height. It
+/// is as wide on both faces of an edge: from x = -behind_m forward on the pyramid's sides, and from
+/// there on the faces that rise towards the rod.
 struct MarksModel {
   double edge_m = 0.0, behind_m = 0.0, strip_m = 0.0;
   double rise_rad = 0.0;

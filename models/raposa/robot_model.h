@@ -61,6 +61,7 @@ struct BackCameraModel {
   double delay_s = 0.0;  // at most a control period
   double shutter_s = 0.0;
   double blur_sigma_px = 0.0, full_well_e = 0.0, read_noise_e = 0.0, vignetting_exponent = 0.0;
+  double exposed_level = 0.0;  // mean green of what it sees, as a share of the full well
 };
 
 /// Two white light diodes, beside each other, shining to the back.

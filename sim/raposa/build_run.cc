@@ -83,6 +83,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   run.ground = models.built.ground;
   run.nominal = MakeNominal(models.nominal.robot, models.nominal.pyramid);
   PutBands(models.keys, run.nominal.ferreira_vision);
+  PutVision(models.keys, run.nominal.ferreira_vision);
   PutMotion(models.keys, run.nominal.ferreira_motion);
   WorldSetup& world = run.world;
   world.robot = models.built.robot;

@@ -11,7 +11,8 @@ namespace dockyard::raposa {
 namespace {
 
 constexpr int kMostHue = 179, kMostLevel = 255;
-constexpr double kMostNumber = 1e4;  // of motion; no speed, time or limit is as large
+constexpr double kMostNumber =
+    1e5;  // of motion; nor of vision; no speed, time or limit is as large
 
 void ReadEnds(const YamlReader& in, const char* key, int most, bool around, std::uint8_t& from,
               std::uint8_t& to) {
@@ -42,18 +43,21 @@ std::string InDegrees(std::string name) {
   return at == std::string::npos ? name : name.replace(at, 4, "_deg");
 }
 
-std::vector<std::string> MotionKeys() {
-  std::vector<std::string> names;
-  FerreiraMotion motion;
-  VisitMotion(motion, [&](const char* name, const auto&) { names.push_back(InDegrees(name)); });
-  return names;
-}
+/// Adds the names of members, as people write them.
+struct MemberNames {
+  std::vector<std::string>& names;
+
+  void operator()(const char* name, const auto&) const { names.push_back(InDegrees(name)); }
+};
 
 /// Reads the members that a mapping has.
-struct MotionReader {
-  const YamlReader& in;
+struct MemberReader {
+  YamlReader in;
 
   void operator()(const char* name, bool& value) const { value = in.BoolOr(name, value); }
+  void operator()(const char* name, int& value) const {
+    if (in.Has(name)) value = in.Integer(name, 1, 1000);
+  }
   void operator()(const char* name, double& value) const {
     const std::string key = InDegrees(name);
     // The arm's angles alone have a sign.
@@ -67,8 +71,16 @@ struct MotionReader {
 
 void PutMotion(const RaposaKeys& keys, FerreiraMotion& motion) {
   if (keys.motion.kind == YamlNode::Kind::kNull) return;
-  const YamlReader in(keys.motion, "raposa.motion", MotionKeys());
-  VisitMotion(motion, MotionReader{in});
+  std::vector<std::string> names;
+  VisitMotion(motion, MemberNames{names});
+  VisitMotion(motion, MemberReader{YamlReader(keys.motion, "raposa.motion", names)});
+}
+
+void PutVision(const RaposaKeys& keys, FerreiraVision& vision) {
+  if (keys.vision.kind == YamlNode::Kind::kNull) return;
+  std::vector<std::string> names;
+  VisitVision(vision, MemberNames{names});
+  VisitVision(vision, MemberReader{YamlReader(keys.vision, "raposa.vision", names)});
 }
 
 void PutBands(const RaposaKeys& keys, FerreiraVision& vision) {

@@ -12,8 +12,9 @@ namespace dockyard::raposa {
 /// ConfigError.
 void PutBands(const RaposaKeys& keys, FerreiraVision& vision);
 
-/// Puts what the key `motion` names in place of the members of `motion`: the names of
-/// FerreiraMotion, with _deg for _rad. Throws ConfigError.
+/// Puts what the keys `motion` and `vision` name in place of the members: the names of
+/// FerreiraMotion, with _deg for _rad, and of FerreiraVision. Throws ConfigError.
 void PutMotion(const RaposaKeys& keys, FerreiraMotion& motion);
+void PutVision(const RaposaKeys& keys, FerreiraVision& vision);
 
 }  // namespace dockyard::raposa

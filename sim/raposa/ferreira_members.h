@@ -1,4 +1,4 @@
-// The names of ferreira2009's motion, once for files and scenarios.
+// The names of ferreira2009's motion and vision, once for files and scenarios.
 #pragma once
 
 #include "controller/raposa/nominal/ferreira_options.h"
@@ -48,5 +48,19 @@ void VisitMotion(Motion& m, Visit&& visit) {
 }
 // A member that is added changes the size.
 static_assert(sizeof(FerreiraMotion) == 37 * sizeof(double));
+
+/// The same for the numbers of its vision.
+template <class Vision, class Visit>
+void VisitVision(Vision& v, Visit&& visit) {
+  visit("least_area_px2", v.least_area_px2);
+  visit("least_axis_ratio", v.least_axis_ratio);
+  visit("most_deviation", v.most_deviation);
+  visit("tight_deviation", v.tight_deviation);
+  visit("most_area_factor", v.most_area_factor);
+  visit("tight_area_factor", v.tight_area_factor);
+  visit("ball_px", v.ball_px);
+  visit("lost_frames", v.lost_frames);
+  visit("area_at_one_m_px2", v.area_at_one_m_px2);
+}
 
 }  // namespace dockyard::raposa

@@ -9,9 +9,9 @@ namespace dockyard::raposa {
 RenderMesh GuideMesh(const GuideModel& guide);
 /// The rod from the bi-cone to the faces.
 RenderMesh RodMesh(const PyramidModel& pyramid);
-/// The strips along the edges of the faces' base.
+/// The paint round the edges of the faces' base.
 RenderMesh StripsMesh(const MarksModel& marks);
-/// The faces within the strips.
+/// The faces within the paint.
 RenderMesh FacesMesh(const MarksModel& marks);
 
 }  // namespace dockyard::raposa

@@ -101,10 +101,14 @@ std::vector<Collision> GuidePieces(const PyramidModel& pyramid) {
                     X_PA * Pose3{Eigen::Matrix3d::Identity(), {0.0, 0.0, rear_m - 0.5 * rod_m}}});
   HullShape faces;
   const double half_m = 0.5 * marks.edge_m;
+  const double edge_m = -marks.behind_m + marks.strip_m;
   for (const double y : {-half_m, half_m}) {
-    for (const double z : {-half_m, half_m}) faces.points.emplace_back(-marks.behind_m, y, z);
+    for (const double z : {-half_m, half_m}) {
+      faces.points.emplace_back(-marks.behind_m, y, z);
+      faces.points.emplace_back(edge_m, y, z);
+    }
   }
-  faces.points.emplace_back(-marks.behind_m + half_m * std::tan(marks.rise_rad), 0.0, 0.0);
+  faces.points.emplace_back(edge_m + half_m * std::tan(marks.rise_rad), 0.0, 0.0);
   pieces.push_back({"faces", faces, {}});
   return pieces;
 }

@@ -47,15 +47,7 @@ template <Of<FerreiraVision> V, class Visit>
 void VisitMembers(V& v, const Visit& visit) {
   visit("orange", v.orange);
   visit("blue", v.blue);
-  visit("least_area_px2", v.least_area_px2);
-  visit("least_axis_ratio", v.least_axis_ratio);
-  visit("most_deviation", v.most_deviation);
-  visit("tight_deviation", v.tight_deviation);
-  visit("most_area_factor", v.most_area_factor);
-  visit("tight_area_factor", v.tight_area_factor);
-  visit("ball_px", v.ball_px);
-  visit("lost_frames", v.lost_frames);
-  visit("area_at_one_m_px2", v.area_at_one_m_px2);
+  VisitVision(v, visit);
   visit("band_changes", v.band_changes);
 }
 static_assert(sizeof(FerreiraVision) ==

@@ -39,6 +39,10 @@ void VisitRaposaKeys(Keys& keys, RaposaKeys& values) {
   keys.Tree({"motion", "", "of ferreira2009: speeds, times and limits in place of its own",
              Presence::kUnset},
             values.motion, YamlNode::Kind::kMapping);
+  keys.Tree(
+      {"vision", "", "of ferreira2009: limits of its search for the marks, in place of its own",
+       Presence::kUnset},
+      values.vision, YamlNode::Kind::kMapping);
 }
 
 RaposaKeys ReadRaposaKeys(const Scenario& scenario) {

@@ -23,7 +23,7 @@ struct RaposaKeys {
   double behind_m = 4.0;                                            // of the ground
   int clutter = 0;                                                  // objects
   bool hide_pyramid = false;                                        // it is not drawn
-  YamlNode bands{}, band_changes{}, motion{};                       // kNull: none
+  YamlNode bands{}, band_changes{}, motion{}, vision{};             // kNull: none
 };
 
 /// Names every key: for reading, and for docs/raposa.md.

@@ -11,6 +11,6 @@ namespace dockyard::raposa {
 /// The first controller is the default.
 System RaposaSystem(const std::vector<NamedController<Nominal>>& controllers,
                     const std::vector<SystemCommand>& commands = {},
-                    const CommandFunction& detect = {});
+                    const SystemCommand& detect = {});
 
 }  // namespace dockyard::raposa

@@ -8,6 +8,7 @@
 #include "sim/plant/ground_spectrum.h"
 #include "sim/plant/ground_view.h"
 #include "sim/raposa/mark_meshes.h"
+#include "sim/raposa/robot_parts.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::raposa {
@@ -18,8 +19,18 @@ constexpr int kGround = 0, kOrange = 1, kBlue = 2;
 constexpr double kDaylightFrom_k = 4000.0;
 // Of cable and rod, and of the bare faces. Assumed, 0.03-0.1 and 0.2-0.4.
 constexpr double kRubber = 0.06, kBareFaces = 0.30;
+// From this blur on one ray a pixel is enough: its steps of a pixel are 1 px / sqrt(12) = 0.3 px.
+constexpr double kRayBlur_px = 0.6;
 // Linear colours for spectators alone.
 const Eigen::Vector3d kOrangeRgb(0.71, 0.12, 0.02), kBlueRgb(0.01, 0.09, 0.34);
+
+std::vector<StagePart> PartsOf(std::vector<RobotPart> parts) {
+  std::vector<StagePart> out;
+  for (RobotPart& part : parts) {
+    out.push_back({std::make_shared<const RenderMesh>(std::move(part.mesh)), Pose3{}, part.rgb});
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -50,6 +61,9 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, const Seed&
   arm_ = Convert(robot.arm.visuals);
   left_door_ = Convert(robot.left_door.visuals);
   right_door_ = Convert(robot.right_door.visuals);
+  socket_ = PartsOf(SocketParts(robot));
+  left_plate_ = PartsOf(DoorParts(robot.doors, true));
+  right_plate_ = PartsOf(DoorParts(robot.doors, false));
   pyramid_ = Convert(pyramid.body.visuals);
   const auto mark = [&](RenderMesh mesh, const Eigen::Vector3d& rgb, int material) {
     pyramid_.push_back({std::make_shared<const RenderMesh>(std::move(mesh)), {}, rgb, material});
@@ -121,10 +135,17 @@ StageShapes SceneBuilder::Shapes() const {
     shapes.bodies.push_back({name, robot, {}});
     AddParts(parts, Pose3{}, shapes.bodies.back());
   };
+  const auto add_parts = [&](const std::vector<StagePart>& parts) {
+    std::vector<StagePart>& all = shapes.bodies.back().parts;
+    all.insert(all.end(), parts.begin(), parts.end());
+  };
   add("robot", true, body_);
+  add_parts(socket_);
   add("arm", true, arm_);
-  add("left_door", true, left_door_);
-  add("right_door", true, right_door_);
+  add("left_door", true, {});
+  add_parts(left_plate_);
+  add("right_door", true, {});
+  add_parts(right_plate_);
   add("pyramid", false, pyramid_);
   for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.light = lighting_.sun_and_sky;
@@ -138,13 +159,15 @@ StageShapes SceneBuilder::Shapes() const {
 ColourView ViewOf(const BackCameraModel& camera) {
   return {.camera = camera.camera,
           .hole = {.half_angle_rad = camera.half_view_rad, .distance_m = camera.hole_m},
-          .vignetting_exponent = camera.vignetting_exponent};
+          .vignetting_exponent = camera.vignetting_exponent,
+          .rays = camera.blur_sigma_px >= kRayBlur_px ? 1.0 : 2.0};
 }
 
 ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k, bool auto_balance) {
   return {.blur_sigma_px = camera.blur_sigma_px,
           .full_well_e = camera.full_well_e,
           .read_noise_e = camera.read_noise_e,
+          .target_level = camera.exposed_level,
           .auto_balance = auto_balance,
           .balance = BalanceFor(LightOf(balance_k), CheapCamera())};
 }

@@ -34,6 +34,7 @@ class SceneBuilder {
 
   SceneSpectra spectra_;
   std::vector<DrawnPart> body_, arm_, left_door_, right_door_, pyramid_;
+  std::vector<StagePart> socket_, left_plate_, right_plate_;  // for spectators
   Lighting lighting_;
   LampsModel lamps_;
   Pose3 X_WG_;

@@ -26,7 +26,7 @@ struct FerreiraVision {
   // a few steps wider. A user tunes them to the light (F, C.3).
   HsvBand orange{.hue_from = 4, .hue_to = 18, .saturation_from = 85, .value_from = 43};
   HsvBand blue{.hue_from = 100, .hue_to = 125, .saturation_from = 70, .value_from = 30};
-  double least_area_px2 = 12.0;    // of either blob; assumed, 8-40
+  double least_area_px2 = 53.0;    // of either blob, in its band; calibrated, 2.5 and 3.0 m: 53-60
   double least_axis_ratio = 0.5;   // of the ellipse; assumed, 0.4-0.7
   double most_deviation = 0.35;    // of width and height from the distance's; assumed, 0.25-0.5
   double tight_deviation = 0.20;   // when several pairs are left; assumed, 0.1-0.25
@@ -70,9 +70,9 @@ struct FerreiraMotion {
   double orange_far_m = 2.0;          // state 3 beyond; assumed, 1.5-2.3
   double final_m = 0.30;              // state 6 below (F, D)
   double slow_below_m = 1.0;          // the speed falls with the distance below (F, D)
-  double k_linear_per_s = 0.078;      // calibrated, points 2 and 14: 0.070-0.087
-  double k_angular_rad_s_px = 0.004;  // assumed, 0.002-0.008
-  double k_arm_rad_px = 0.004;        // assumed, 0.002-0.008
+  double k_linear_per_s = 0.082;      // calibrated, points 2 and 14: 0.070-0.087
+  double k_angular_rad_s_px = 0.002;  // assumed, 0.001-0.004
+  double k_arm_rad_px = 0.002;        // assumed, 0.001-0.004
   double final_speed_m_s = 0.0235;    // state 6, what state 1 has at 0.30 m
   // From 0.30 m to the claim Table I leaves 18.1 s (points 2 and 14: 16.3-19.9): state 6, a stop,
   // and the doors. At its speed 10.6 s lead from 0.30 m onto the seat. Belts that both run slow by
@@ -83,10 +83,10 @@ struct FerreiraMotion {
   double close_s = 5.0;   // in which the doors are to close; assumed, 3-8
   bool steer_final = true;   // state 6 turns to the ellipse; F, D has one turning rate for region I
   double standoff_m = 0.6;   // delta of Fig. 3; assumed, 0.5-0.8
-  double travel_m_s = 0.08;  // state 2; calibrated, points 8 and 10: 0.065-0.12
-  // 18 deg/s, by odometry; calibrated, points 8 and 10: with the visual turn before, the slowing
+  double travel_m_s = 0.09;  // state 2; calibrated, points 8 and 10: 0.065-0.12
+  // 24 deg/s, by odometry; calibrated, points 8 and 10: with the visual turn before, the slowing
   // down and the stop after it, the mean is their 9.6 deg/s. 12-26
-  double turn_rad_s = 0.314159;
+  double turn_rad_s = 0.418879;
   double visual_turn_rad_s = 0.0698;   // 4 deg/s, state 7; assumed, 2-5
   double search_turn_rad_s = 0.0698;   // assumed, 2-5 deg/s
   double first_search_rad = 0.349066;  // 20 deg, doubled at each switch; assumed, 10-45

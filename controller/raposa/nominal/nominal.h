@@ -22,7 +22,8 @@ struct Marks {
   double guide_diameter_m = 0.0;  // of the orange bi-cone, at its widest
   double guide_length_m = 0.0;
   double guide_height_m = 0.0;  // of its middle above the ground
-  // Strips along the square's edges, on faces that rise towards the guide.
+  // Paint round the square's edges: from x = -behind_m forward on the pyramid's sides, and as wide
+  // on the faces that rise from there towards the guide.
   double strip_m = 0.0, rise_rad = 0.0;
   double guide_half_angle_rad = 0.0;  // of its two cones
   double guide_up_rad = 0.0;          // of its axis above the level, towards the robot

@@ -127,10 +127,14 @@ std::optional<Points> Project(const Camera& camera, const Pose3& X_CP,
   return pixels;
 }
 
-std::vector<Eigen::Vector3d> Square(double behind_m, double side_m) {
+/// The corners of an upright square, and of one depth_m before it.
+std::vector<Eigen::Vector3d> Square(double x_m, double side_m, double depth_m = 0.0) {
   std::vector<Eigen::Vector3d> corners;
   for (const double y : {-0.5, 0.5}) {
-    for (const double z : {-0.5, 0.5}) corners.emplace_back(-behind_m, y * side_m, z * side_m);
+    for (const double z : {-0.5, 0.5}) {
+      corners.emplace_back(x_m, y * side_m, z * side_m);
+      corners.emplace_back(x_m + depth_m, y * side_m, z * side_m);
+    }
   }
   return corners;
 }
@@ -148,9 +152,12 @@ std::vector<Eigen::Vector3d> BiCone(const Marks& marks) {
 
 void DrawPyramid(const Nominal& nominal, const Pose3& X_CP, const Scene& scene, Canvas* canvas) {
   const Marks& marks = nominal.marks;
-  const auto square = Project(nominal.camera, X_CP, Square(marks.behind_m, marks.edge_m));
+  // Paint on sides and front of the square's edges.
+  const auto square =
+      Project(nominal.camera, X_CP, Square(-marks.behind_m, marks.edge_m, scene.strip_m));
   const double inner_m = scene.strip_m > 0.0 ? marks.edge_m - 2.0 * scene.strip_m : 0.0;
-  const auto inner = Project(nominal.camera, X_CP, Square(marks.behind_m, inner_m));
+  const auto inner =
+      Project(nominal.camera, X_CP, Square(-marks.behind_m + scene.strip_m, inner_m));
   if (square && inner) canvas->Fill(*square, inner_m > 0.0 ? *inner : Points{}, scene.blue);
   const auto guide = Project(nominal.camera, X_CP, BiCone(marks));
   if (guide) canvas->Fill(*guide, {}, scene.orange);
@@ -187,6 +194,10 @@ Nominal TestNominal(double lever_m) {
   nominal.door_pinion_radius_m = 0.01;
   nominal.door_travel_m = 0.02;
   nominal.p_RS = {-lever_m - 0.08, 0.0, 0.0};
+  // Half as fine a camera as the robot's: a quarter of the area, twice the gains of a pixel.
+  nominal.ferreira_vision.least_area_px2 = 12.0;
+  nominal.ferreira_motion.k_angular_rad_s_px *= 2.0;
+  nominal.ferreira_motion.k_arm_rad_px *= 2.0;
   return nominal;
 }
 

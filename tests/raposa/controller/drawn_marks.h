@@ -30,7 +30,7 @@ inline constexpr Colour kOrange{181, 31, 5}, kBlue{8, 46, 173}, kGrey{70, 70, 70
 struct Scene {
   Colour orange = kOrange, blue = kBlue, background = kGrey;
   bool pyramid = true;
-  double strip_m = 0.01;     // width of the square's blue outline; 0: all blue
+  double strip_m = 0.01;     // width of the square's blue edges, on front and sides; 0: all blue
   double camera_up_m = 0.0;  // above the guide's middle
   double pitch_rad = 0.0;    // of the camera, down
   double noise = 0.0;        // 1 sigma of each channel

@@ -87,7 +87,8 @@ struct Lengths {
   double c_px = 0.0, g_px = 0.0;
 };
 Lengths LengthsAt(double r_m, double alpha_deg, double bearing_deg, double dz_m) {
-  const Nominal nominal = TestNominal();
+  Nominal nominal = TestNominal();
+  nominal.marks.strip_m = 1e-6;  // the square alone, flat
   const Pose2 X_DV = CameraAt(r_m, Radians(alpha_deg), Radians(bearing_deg));
   const auto marks = ProjectMarks(nominal, {Inverse(X_DV), dz_m, 0.0, 0.0});
   Lengths out;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "controller/raposa/half_level.h"
+
 #include "raposa/controller/drawn_marks.h"
 
 namespace dockyard::raposa {
@@ -94,6 +96,54 @@ TEST(TuneBands, FindsThePairAmongThingsAndNoneWithoutAPyramid) {
   EXPECT_NEAR(bands->pair.angle.r_m, 0.8, 0.08);
   scene.pyramid = false;
   EXPECT_FALSE(TuneBands(Draw(TestNominal(), X_PC, scene), TestNominal()));
+}
+
+/// A blue square, lit evenly and blurred by 1 px, on a warm floor: its edges in linear light.
+RgbImage Square(double left_px, double right_px, double top_px, double bottom_px) {
+  const Eigen::Vector3d blue(0.01, 0.09, 0.34), floor(0.32, 0.25, 0.20);
+  const auto step = [](double at, double edge) {
+    return 0.5 * std::erfc((edge - at) / std::sqrt(2.0));
+  };
+  RgbImage image{100, 80, {}};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double share =
+          (step(x, left_px) - step(x, right_px)) * (step(y, top_px) - step(y, bottom_px));
+      const Eigen::Vector3d light = floor + share * (blue - floor);
+      for (int c = 0; c < 3; ++c) {
+        const double v = light[c];
+        image.pixels.push_back(static_cast<std::uint8_t>(
+            std::lround(255.0 * (1.055 * std::pow(v, 1.0 / 2.4) - 0.055))));
+      }
+    }
+  }
+  return image;
+}
+
+TEST(HalfLevelBounds, AreTheEdgesToATenthOfAPixel) {
+  for (const double shift_px : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+    const RgbImage image =
+        Square(30.3 + shift_px, 60.1 + shift_px, 22.6 - shift_px, 51.9 - shift_px);
+    const auto edges = HalfLevelBounds(image, {31.5, 23.5, 59.5, 50.5});
+    ASSERT_TRUE(edges);
+    EXPECT_NEAR(edges->left_px, 30.3 + shift_px, 0.1);
+    EXPECT_NEAR(edges->right_px, 60.1 + shift_px, 0.1);
+    EXPECT_NEAR(edges->top_px, 22.6 - shift_px, 0.1);
+    EXPECT_NEAR(edges->bottom_px, 51.9 - shift_px, 0.1);
+  }
+}
+
+// A band of less saturation would hold the mix beyond the edge, one of more would leave it out: the
+// floor is the opponent of blue.
+TEST(TuneBands, TheBlueBandEndsHalfwayToTheSurroundings) {
+  const RgbImage image = Square(30.3, 60.1, 22.6, 51.9);
+  const ColourSearch search(image);
+  const HsvBand wide{.hue_from = 95, .hue_to = 125, .saturation_from = 20, .value_from = 30};
+  const HsvBand tuned = AtHalfLevel(image, search, {31.5, 23.5, 59.5, 50.5}, wide);
+  const auto blobs = search.Blobs(tuned, 12.0);
+  ASSERT_EQ(blobs.size(), 1u);
+  EXPECT_NEAR(blobs[0].bounds.width_px(), 60.1 - 30.3, 0.75);  // whole pixels
+  EXPECT_NEAR(blobs[0].bounds.height_px(), 51.9 - 22.6, 0.75);
 }
 
 TEST(TuneBands, ABandHoldsTheColoursOfARegionAndPassesThroughZero) {

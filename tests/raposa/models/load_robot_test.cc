@@ -77,6 +77,7 @@ FileValues ValuesOf(const RobotModel& r) {
                     {"camera.full_well_e", c.full_well_e},
                     {"camera.read_noise_e", c.read_noise_e},
                     {"camera.vignetting_exponent", c.vignetting_exponent},
+                    {"camera.exposed_level", c.exposed_level},
                     {"lamps.position_m[0]", r.lamps.p_R.x()},
                     {"lamps.position_m[1]", r.lamps.p_R.y()},
                     {"lamps.position_m[2]", r.lamps.p_R.z()},

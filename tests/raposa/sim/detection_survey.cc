@@ -1,17 +1,18 @@
-// Not a test: how many pictures of the pyramid from the paper's grid give g and c within 10 %, by
-// colour bands and strip width. Writes the table of docs/raposa.md.
-//   detection_survey [VIEWS [STRIP_MM...]]
-//   detection_survey OUT.png R_M ALPHA_DEG KEYS CHANGES [GROUND]   one picture, and what `tune`
-//   makes of it
+// Not a test: what ferreira2009 finds in images of the pyramid, place by place: orange pixels in
+// the band, pairs, the errors of c and g, the angle by eq. (7). Writes the tables of
+// docs/raposa.md.
+//   detection_survey VIEWS SCENARIO [KEY=VALUE...]
 #include <cstdio>
 #include <cstdlib>
-#include <map>
+#include <string>
 #include <vector>
 
-#include "controller/raposa/tune_bands.h"
+#include "controller/base/number_text.h"
+#include "controller/raposa/ferreira2009.h"
 #include "raposa/sim/pictures.h"
-#include "sim/base/files.h"
-#include "sim/images/png.h"
+#include "sim/raposa/raposa_system.h"
+#include "sim/run/system.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -19,77 +20,79 @@ namespace {
 struct Place {
   double r_m, alpha_deg;
 };
-const Place kPlaces[] = {{0.5, 0},   {0.5, 60}, {1.33, 0}, {1.33, 30},
-                         {1.33, 60}, {2.0, 0},  {2.0, 30}, {2.0, 60}};
+const Place kPlaces[] = {{0.5, 0},  {0.5, 60},  {1.33, 0},  {1.33, 30}, {1.33, 60}, {1.5, 80},
+                         {1.5, 90}, {1.5, 100}, {1.5, 110}, {2.0, 0},   {2.0, 30},  {2.0, 60},
+                         {2.5, 0},  {2.7, 0},   {2.8, 0},   {3.0, 0}};
 
-struct Bands {
-  const char* name;
-  HsvBand orange, blue;
+/// Of the views of one place.
+struct Tally {
+  int whole = 0, orange = 0, pairs = 0;
+  double least_px2 = 1e9, most_px2 = 0.0;
+  std::vector<double> dc_px, dg_px, alpha_deg, truth_deg;
 };
 
-/// The user's way: bands from pictures at several places, the wider ends of all.
-HsvBand Union(const HsvBand& a, const HsvBand& b) {
-  return {std::min(a.hue_from, b.hue_from),
-          std::max(a.hue_to, b.hue_to),
-          std::min(a.saturation_from, b.saturation_from),
-          std::max(a.saturation_to, b.saturation_to),
-          std::min(a.value_from, b.value_from),
-          std::max(a.value_to, b.value_to)};
+double MeanOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-void Print(const char* name, const HsvBand& band) {
-  std::printf("  %s hue %d-%d saturation %d- value %d-\n", name, band.hue_from, band.hue_to,
-              band.saturation_from, band.value_from);
+/// Where the guide truly is, the pixels in the band.
+double OrangePixels(const Picture& view, const HsvBand& band) {
+  const ColourSearch search(view.image);
+  double most = 0.0;
+  for (const ColourBlob& blob : search.Blobs(band, 1.0)) {
+    if ((blob.ellipse.centre_px - view.guide_px).norm() < 4.0) most = std::max(most, blob.area_px2);
+  }
+  return most;
 }
 
-void Survey(double strip_mm, int views, const std::shared_ptr<KeptRenderer>& renderer) {
-  const std::string changes =
-      "pyramid: {marks: {strip_m: " + std::to_string(1e-3 * strip_mm) + "}}";
-  const auto tuned = [&](double r_m, double alpha_deg) {
-    const Picture picture =
-        PictureOf(ScenarioAt(r_m, Radians(alpha_deg), {}, changes, 1000), renderer);
-    return TuneBands(picture.image, picture.nominal);
-  };
-  std::vector<Bands> all;
-  const FerreiraVision now;
-  all.push_back({"default", now.orange, now.blue});
-  const auto near = tuned(0.8, 30.0), far = tuned(2.0, 30.0);
-  if (near) all.push_back({"tuned at 0.8 m", near->orange, near->blue});
-  if (far) all.push_back({"tuned at 2 m", far->orange, far->blue});
-  if (near && far) {
-    all.push_back({"both", Union(near->orange, far->orange), Union(near->blue, far->blue)});
-  }
-  std::printf("strip %.0f mm\n", strip_mm);
-  for (const Bands& bands : all) {
-    std::printf(" %s\n", bands.name);
-    Print("orange", bands.orange);
-    Print("blue", bands.blue);
-  }
-  std::printf("  r, alpha: of whole views, pair/g/c/both right, by bands\n");
+void Add(const Picture& view, Tally& tally) {
+  const FerreiraVision& vision = view.nominal.ferreira_vision;
+  ++tally.whole;
+  const double px2 = OrangePixels(view, vision.orange);
+  tally.least_px2 = std::min(tally.least_px2, px2);
+  tally.most_px2 = std::max(tally.most_px2, px2);
+  const auto found = FindMarks(ColourSearch(view.image), view.nominal, vision, std::nullopt);
+  tally.orange += found.orange.has_value();
+  if (!found.pair) return;
+  ++tally.pairs;
+  const Marks& marks = view.nominal.marks;
+  tally.dc_px.push_back(found.pair->c_px - view.c_px);
+  tally.dg_px.push_back(found.pair->g_px - view.g_px);
+  tally.alpha_deg.push_back(Degrees(found.pair->angle.alpha_rad));
+  tally.truth_deg.push_back(
+      Degrees(AngleOfMarks(view.c_px, view.g_px, marks.edge_m, marks.behind_m, 1.0).alpha_rad));
+}
+
+void Survey(int views, const std::string& file, const std::vector<std::string>& overrides) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  const std::vector<System> systems{RaposaSystem({{"ferreira2009", MakeFerreira2009Controller}})};
+  std::printf("  r, alpha | whole | orange px2 | orange | pairs | dc, dg px | ");
+  std::printf("(7): of the truth, found: mean; each\n");
   for (const Place& place : kPlaces) {
-    std::vector<std::array<int, 4>> counts(all.size(), {0, 0, 0, 0});
-    int whole = 0;
+    Tally tally;
     for (int i = 0; i < views; ++i) {
-      // Both sides of the axis, turned by up to 3 deg, nearer and farther by 3 %.
+      // Both sides of the axis, turned by up to 3 deg, nearer and farther by 3 %; the ends of the
+      // range as they are.
       RandomStream random(StreamKey(static_cast<std::uint64_t>(i) + 7, "survey"));
       const double side = i % 2 == 0 ? 1.0 : -1.0;
-      const double r_m = place.r_m * (1.0 + random.Uniform(-0.03, 0.03));
-      const double alpha = side * Radians(place.alpha_deg + random.Uniform(-3.0, 3.0));
-      const std::string off = "off_guide_deg: " + std::to_string(random.Uniform(-3.0, 3.0));
-      const Picture picture = PictureOf(
-          ScenarioAt(r_m, alpha, off, changes, static_cast<std::uint64_t>(i) + 1), renderer);
-      if (!picture.whole) continue;
-      ++whole;
-      for (std::size_t b = 0; b < all.size(); ++b) {
-        const MarksFound found = FindIn(picture, all[b].orange, all[b].blue);
-        counts[b][0] += found.pair;
-        counts[b][1] += found.g_right;
-        counts[b][2] += found.c_right;
-        counts[b][3] += found.right();
-      }
+      const double share = place.r_m > 2.1 ? 0.0 : 0.03;
+      const double r_m = place.r_m * (1.0 + random.Uniform(-share, share));
+      const double alpha_deg = side * (place.alpha_deg + random.Uniform(-3.0, 3.0));
+      std::vector<std::string> all = overrides;
+      all.push_back("start.r_m=" + NumberText(r_m));
+      all.push_back("start.alpha_deg=" + NumberText(alpha_deg));
+      all.push_back("raposa.off_guide_deg=" + NumberText(random.Uniform(-3.0, 3.0)));
+      all.push_back("seed=" + std::to_string(i + 1));
+      const Picture view = PictureOf(LoadScenario(file, all, KnownSystems(systems)), renderer);
+      if (view.whole) Add(view, tally);
     }
-    std::printf("  %4.2f %3.0f: %3d", place.r_m, place.alpha_deg, whole);
-    for (const auto& n : counts) std::printf(" | %3d %3d %3d %3d", n[0], n[1], n[2], n[3]);
+    std::printf("  %4.2f %3.0f | %2d | %3.0f-%3.0f | %2d | %2d | %+.1f %+.1f | %5.1f %5.1f;",
+                place.r_m, place.alpha_deg, tally.whole, tally.least_px2, tally.most_px2,
+                tally.orange, tally.pairs, MeanOf(tally.dc_px), MeanOf(tally.dg_px),
+                MeanOf(tally.truth_deg), MeanOf(tally.alpha_deg));
+    for (const double deg : tally.alpha_deg) std::printf(" %.0f", deg);
     std::printf("\n");
     std::fflush(stdout);
   }
@@ -99,25 +102,6 @@ void Survey(double strip_mm, int views, const std::shared_ptr<KeptRenderer>& ren
 }  // namespace dockyard::raposa
 
 int main(int argc, char** argv) {
-  if (argc > 5) {
-    using namespace dockyard::raposa;
-    const Picture picture =
-        PictureOf(ScenarioAt(std::atof(argv[2]), dockyard::Radians(std::atof(argv[3])), argv[4],
-                             argv[5], 1000, argc > 6 ? argv[6] : "hard_floor"),
-                  std::make_shared<dockyard::KeptRenderer>());
-    dockyard::WriteWhole(argv[1], dockyard::EncodePng(picture.image));
-    std::printf("c %.1f g %.1f px\n", picture.c_px, picture.g_px);
-    if (const auto tuned = TuneBands(picture.image, picture.nominal)) {
-      std::printf("tuned: c %.1f g %.1f px\n", tuned->pair.c_px, tuned->pair.g_px);
-      Print("orange", tuned->orange);
-      Print("blue", tuned->blue);
-    }
-    return 0;
-  }
-  const int views = argc > 1 ? std::atoi(argv[1]) : 20;
-  const auto renderer = std::make_shared<dockyard::KeptRenderer>();
-  std::vector<double> strips{10.0, 12.0, 15.0};
-  if (argc > 2) strips.clear();
-  for (int i = 2; i < argc; ++i) strips.push_back(std::atof(argv[i]));
-  for (const double strip_mm : strips) dockyard::raposa::Survey(strip_mm, views, renderer);
+  if (argc < 3) return std::fprintf(stderr, "expected VIEWS and a scenario\n"), 2;
+  dockyard::raposa::Survey(std::atoi(argv[1]), argv[2], {argv + 3, argv + argc});
 }

@@ -33,8 +33,11 @@ inline Scenario ScenarioAt(double r_m, double alpha_rad, const std::string& keys
 struct Picture {
   RgbImage image;
   Nominal nominal;
-  double c_px = 0.0, g_px = 0.0;  // of the blue square, by projection
-  bool whole = false;             // square and guide's middle in the view
+  Eigen::Vector2d guide_px{0.0, 0.0};
+  // Of the blue square by projection: of its side towards the camera alone, where the camera is
+  // behind the square.
+  double c_px = 0.0, g_px = 0.0;
+  bool whole = false;  // square and guide's middle in the view
 };
 
 inline Picture PictureOf(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
@@ -51,7 +54,10 @@ inline Picture PictureOf(const Scenario& scenario, const std::shared_ptr<KeptRen
   picture.whole = true;
   const Eigen::Vector2d guide = *camera.camera.Project(X_CP * Eigen::Vector3d::Zero());
   double top = 1e9, bottom = -1e9;
+  picture.guide_px = guide;
+  const Eigen::Vector3d p_PC = -(X_CP.R.transpose() * X_CP.p);
   for (const double y : {-half_m, half_m}) {
+    if (p_PC.x() < -marks.behind_m && y * p_PC.y() < 0.0) continue;
     for (const double z : {-half_m, half_m}) {
       const Eigen::Vector2d at =
           *camera.camera.Project(X_CP * Eigen::Vector3d(-marks.behind_m, y, z));

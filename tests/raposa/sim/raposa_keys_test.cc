@@ -16,6 +16,7 @@
 #include "raposa/sim/pictures.h"
 #include "raposa/sim/raposa_rig.h"
 #include "sim/plant/model_store.h"
+#include "sim/plant/placement.h"
 #include "sim/plant/scenery.h"
 #include "sim/raposa/clutter.h"
 #include "support/source_tree.h"
@@ -74,6 +75,21 @@ TEST(RaposaKeys, MotionReachesTheControllerInRadians) {
   expected.turn_rad_s = Radians(16.0);
   expected.steer_final = false;
   EXPECT_EQ(told, expected);
+}
+
+TEST(RaposaKeys, VisionReachesTheController) {
+  const FerreiraVision vision =
+      Built(ScenarioAt(1.0, 0.0, "vision: {least_area_px2: 20, ball_px: 30, lost_frames: 5}"))
+          .nominal.ferreira_vision;
+  FerreiraVision expected;
+  expected.least_area_px2 = 20.0;
+  expected.ball_px = 30.0;
+  expected.lost_frames = 5;
+  EXPECT_EQ(vision, expected);
+  for (const char* keys : {"vision: {lost_frames: 0}", "vision: {lost_frames: 1.5}",
+                           "vision: {least_area: 20}", "vision: {ball_px: -1}"}) {
+    EXPECT_THROW(Built(ScenarioAt(1.0, 0.0, keys)), ConfigError) << keys;
+  }
 }
 
 TEST(RaposaKeys, MotionThatIsNoneIsRefused) {

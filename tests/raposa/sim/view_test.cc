@@ -97,18 +97,19 @@ TEST(RaposaView, OnlyTheDiscThatTheHoleLeavesIsLit) {
   Eigen::Vector2d guide_px;
   const Start start = At(1.0, 0.0);
   const RgbImage image = PictureOf(start, &c_px, &guide_px);
-  const double radius_px = 377.0 * std::tan(start.built.world.robot.camera.half_view_rad);
+  const BackCameraModel& camera = start.built.world.robot.camera;
+  const double radius_px = camera.camera.focal_px().x() * std::tan(camera.half_view_rad);
   double outside = 0.0, inside = 0.0;
   int n_outside = 0, n_inside = 0;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
-      const double r = std::hypot(u - 159.5, v - 119.5);
+      const double r = std::hypot(u - 0.5 * (image.width - 1), v - 0.5 * (image.height - 1));
       const double green =
           image.pixels[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
                             static_cast<std::size_t>(u)) +
                        1];
-      if (r > radius_px + 8.0) outside += green, ++n_outside;
-      if (r < radius_px - 8.0) inside += green, ++n_inside;
+      if (r > radius_px + 16.0) outside += green, ++n_outside;
+      if (r < radius_px - 16.0) inside += green, ++n_inside;
     }
   }
   EXPECT_LT(outside / n_outside, 0.2 * inside / n_inside);
