@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "controller/base/number_text.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/film_files.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
@@ -35,7 +37,10 @@ Examples:
 A ring with a number is a fiducial that was measured, or a mark of a controller's program; one with
 a cross is where the controller expected a fiducial without measuring it. frames.json tells time,
 camera and verdict of each file.
---plain leaves the images as the controller got them.)";
+--plain leaves the images as the controller got them. Where the log keeps some of the images alone
+(log_image_gap_s) the run is simulated again for the others.)";
+
+bool IsPng(const std::string& bytes) { return bytes.starts_with("\x89PNG"); }
 
 /// Writes one image; returns its entry in frames.json, null if there is no image.
 Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::size_t camera,
@@ -46,10 +51,11 @@ Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::s
   std::snprintf(number, sizeof number, "%03zu", index + 1);
   const std::string& name = log.cameras[camera].name;
   const std::string file = "look_" + std::string(number) + "_" + name + ".png";
-  if (plain) {
-    WriteWhole(out_dir / file, look.images[camera]->png);
+  const std::string& logged = look.images[camera]->bytes;
+  if (plain && IsPng(logged)) {
+    WriteWhole(out_dir / file, logged);
   } else {
-    if (look.sighting != nullptr) {
+    if (!plain && look.sighting != nullptr) {
       DrawMarks(*picture, look.sighting->report, static_cast<int>(camera));
     }
     WriteWhole(out_dir / file, EncodePng(*picture));
@@ -61,6 +67,25 @@ Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::s
           {"verdict", WordOf(look)}};
 }
 
+/// The run with all of its images: where the log keeps some alone, the run is made again. One whose
+/// controller is a program is not, as frames starts none.
+LoggedRun WithAllImages(const KeptRun& kept, const Invocation& call) {
+  LoggedRun log = ReadLoggedRun(kept.log_dir);
+  if (log.header.image_gap_s == 0.0) return log;
+  const std::string kept_alone = "the log keeps an image of a camera in " +
+                                 NumberText(log.header.image_gap_s) +
+                                 " s and those at changes of phase";
+  if (!kept.run.scenario.command.empty()) {
+    PrintNote(kept_alone + "; the run's controller is a program, so only these are written");
+    return log;
+  }
+  PrintNote(kept_alone + "; the others are made by simulating the run again");
+  CampaignRun run = kept.run;
+  run.scenario.log_image_gap_s = 0.0;
+  return LogAnew(FindSystem(call.systems, run.scenario.system), run,
+                 {.log_dir = {}, .labels = kept.columns.labels});
+}
+
 int Frames(const FramesArguments& arguments, const Invocation& call) {
   const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", call);
   if (!kept.log_dir.HasFile(kRunLogFile)) {
@@ -68,7 +93,7 @@ int Frames(const FramesArguments& arguments, const Invocation& call) {
                "; `keep` in the campaign's file says which runs keep theirs");
     return kExitIncomplete;
   }
-  const LoggedRun log = ReadLoggedRun(kept.log_dir);
+  const LoggedRun log = WithAllImages(kept, call);
   const std::vector<Look> looks = LooksOf(log);
   MakeFolder(arguments.out_dir);
   Json files = Json::array();

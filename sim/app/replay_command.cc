@@ -14,6 +14,7 @@
 #include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/number_option.h"
+#include "sim/app/passing_folder.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
@@ -50,7 +51,8 @@ Examples:
   dockyard replay out/typical --frames out/tip --period 20 --at tip
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
-controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
+controller alone and compares its commands. Where the log keeps some of the images alone
+(log_image_gap_s) those of the run made again are fed. Exit code 0: the same, 1: not the same, 10: the
 folder holds no result of this run, or its log is cut short.
 
 --frames compares nothing: it draws the run as its log tells it, from outside and with the cameras'
@@ -193,6 +195,9 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
   return log.complete ? kExitDone : kExitIncomplete;
 }
 
+/// Whether the log has some of the images alone.
+bool HasImageGap(const Folder& dir) { return RunLogReader(dir).header().image_gap_s > 0.0; }
+
 int Replay(const ReplayArguments& arguments, Invocation& call) {
   const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", call);
   if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, call);
@@ -210,8 +215,17 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
   if (arguments.recorded) options.recorded_dir = kept.commands_dir;
-  const RunRecord now = Simulate(system, kept.run, options);
   ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
+  const bool logged = kept.log_dir.HasFile(kRunLogFile);
+  const bool thinned = logged && !arguments.recorded && HasImageGap(kept.log_dir);
+  std::optional<PassingFolder> whole;  // the log of the run made again, with all images
+  CampaignRun run = kept.run;
+  if (thinned) {
+    whole.emplace();
+    options.log_dir = whole->path();
+    run.scenario.log_image_gap_s = 0.0;
+  }
+  const RunRecord now = Simulate(system, run, options);
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (arguments.recorded) {
@@ -219,14 +233,15 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     answer.Print();
     return same_row ? kExitDone : kExitOurBug;
   }
-  if (!kept.log_dir.HasFile(kRunLogFile)) {
+  if (!logged) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.path().string());
     answer.json["controller_alone"] = nullptr;
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const Alone alone =
-      ReportController(kept.log_dir, kept.run, now.result.outcome, options, call.systems, answer);
+  if (thinned) answer.Say("controller alone: with the images of the run made again");
+  const Alone alone = ReportController(thinned ? Folder(whole->path()) : kept.log_dir, kept.run,
+                                       now.result.outcome, options, call.systems, answer);
   answer.Print();
   return same_row ? static_cast<int>(alone) : kExitOurBug;
 }

@@ -25,8 +25,9 @@ struct Timed {
 /// Values of one name, over the samples.
 using Series = std::map<std::string, std::vector<double>>;
 
+/// The bytes of a PNG; of a log that keeps some of the images alone of a WebP, for people.
 struct LoggedImage {
-  std::string camera, png;
+  std::string camera, bytes;
 };
 
 /// All heights of the ground, or those that changed.

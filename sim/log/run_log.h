@@ -60,6 +60,7 @@ struct RunLogHeader {
   std::vector<Column> channels{}, beliefs{};  // of the history
   // Frames, beliefs and notes alone: what a run needs to be made again without its program.
   bool commands_alone = false;
+  double image_gap_s = 0.0;  // of the scenario: some of the images alone are kept; 0: all
   std::uint32_t version = kRunLogVersion;  // as read
 };
 
@@ -80,8 +81,9 @@ class RunLogWriter {
 
   // All throw IoError, as when the disk is full. Times must not fall.
 
-  /// One control period.
-  void Append(const SensorFrame& sensed, const Commands& commands);
+  /// One control period. A log with an image gap says of each frame that it had images, and keeps
+  /// them for people alone, unless they are left out.
+  void Append(const SensorFrame& sensed, const Commands& commands, bool without_images = false);
   /// What the truth and the belief were at a time of the history.
   void Append(const HistorySample& sample, const Stage& stage, Tick tick);
   /// The belief's values that the system does not name, by their names; NaN ones are left out.
@@ -101,11 +103,13 @@ class RunLogWriter {
                         const McapTexts& metadata = {});
   void Put(std::uint16_t channel, Tick tick, const std::string& data);
   void Append(const Stage& stage, Tick tick);
-  void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pngs);
+  void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& files,
+                    const std::string& format);
   const NamedCamera& CameraOf(int index);
   const std::vector<NamedMotor>& MotorsOf(const SensorFrame& sensed);
 
   bool keep_images_ = true;
+  bool thinned_ = false;
   bool commands_alone_ = false;
   std::vector<NamedMotor> motors_;
   std::vector<NamedCamera> cameras_;              // more are added as their images come

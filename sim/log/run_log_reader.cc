@@ -21,6 +21,7 @@ RunLogHeader HeaderFromText(const std::string& text) {
     header.system = json.at("system");
     header.controller = json.at("controller");
     header.images_kept = json.at("images_kept");
+    header.image_gap_s = json.value("image_gap_s", 0.0);
     header.nominal = json.at("nominal");
     for (const Json& each : json.value("cameras", Json::array())) {
       NamedCamera camera{.name = each.at("name"), .camera = {}, .X_OC = {}};
@@ -116,7 +117,9 @@ std::optional<RunLogEntry> RunLogReader::Next() {
       const auto message = first_ ? std::exchange(first_, std::nullopt) : file_->Next();
       if (!message) return std::nullopt;
       const std::string& topic = file_->channel(message->channel_id).topic;
-      if (IsImage(topic)) pictures_.push_back(PictureFrom(message->data));
+      // Those of a log with a gap are for people.
+      if (IsImage(topic) && header_.image_gap_s == 0.0)
+        pictures_.push_back(PictureFrom(message->data));
       if (topic == topic::kFrame) return EntryFrom(message->data);
     }
   } catch (const DataError& failure) {

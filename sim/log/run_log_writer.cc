@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "sim/base/files.h"
+#include "sim/images/png.h"
+#include "sim/images/webp.h"
 #include "sim/log/belief_error.h"
 #include "sim/log/pose_numbers.h"
 #include "sim/log/ros_cameras.h"
@@ -33,6 +35,7 @@ std::string HeaderText(const RunLogHeader& header) {
                {"nominal", header.nominal},
                {"cameras", CamerasJson(header.cameras)},
                {"sensors", ToJson(header.sensors)}};
+  if (header.image_gap_s > 0.0) json["image_gap_s"] = header.image_gap_s;
   if (header.commands_alone) json["commands_alone"] = true;
   return json.dump();
 }
@@ -55,6 +58,18 @@ McapTexts Meanings(const std::vector<Column>& columns) {
     texts[column.name] = (column.unit.empty() ? "" : "[" + column.unit + "] ") + column.meaning;
   }
   return texts;
+}
+
+/// Lossy, and so not for a controller.
+std::vector<std::string> ForPeople(const std::vector<CameraImage>& images) {
+  constexpr double kQuality = 85.0;
+  std::vector<std::string> files;
+  for (const CameraImage& image : images) {
+    const auto* rgb = std::get_if<RgbImage>(&image.pixels);
+    const RgbImage pixels = rgb ? *rgb : AsColour(std::get<GrayImage>(image.pixels));
+    files.push_back(pixels.pixels.empty() ? std::string() : EncodeWebp(pixels, kQuality));
+  }
+  return files;
 }
 
 /// The pose on an arc, in its start, at that share of its length.
@@ -82,6 +97,7 @@ std::vector<Pose2> PosesAlong(const std::vector<PlannedArc>& arcs) {
 RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header,
                            const std::string& scenario)
     : keep_images_(header.images_kept),
+      thinned_(header.image_gap_s > 0.0),
       commands_alone_(header.commands_alone),
       motors_(header.motors),
       cameras_(header.cameras),
@@ -137,8 +153,9 @@ const std::vector<NamedMotor>& RunLogWriter::MotorsOf(const SensorFrame& sensed)
   return motors_;
 }
 
-void RunLogWriter::AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pngs) {
-  for (std::size_t i = 0; i < pngs.size(); ++i) {
+void RunLogWriter::AppendImages(const SensorFrame& sensed, const std::vector<std::string>& files,
+                                const std::string& format) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
     const int index = sensed.images[i].camera;
     const NamedCamera& camera = CameraOf(index);
     if (const auto place = static_cast<std::size_t>(index); place < rectifications_.size()) {
@@ -146,17 +163,22 @@ void RunLogWriter::AppendImages(const SensorFrame& sensed, const std::vector<std
           CameraInfoMessage(sensed.tick, camera.name, camera.camera, rectifications_[place]));
     }
     Put(Channel("/camera/" + camera.name + "/image/compressed", "sensor_msgs/CompressedImage"),
-        sensed.tick, ImageMessage(sensed.tick, camera.name, "png", pngs[i]));
+        sensed.tick, ImageMessage(sensed.tick, camera.name, format, files[i]));
   }
 }
 
-void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
+void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands,
+                          bool without_images) {
   std::vector<std::string> pngs;
   payload_.clear();
-  PutFrame(payload_, sensed, keep_images_ ? ImageCoding::kBeside : ImageCoding::kLeftOut,
-           keep_images_ ? &pngs : nullptr);
+  const bool whole = keep_images_ && !thinned_;
+  PutFrame(payload_, sensed, whole ? ImageCoding::kBeside : ImageCoding::kLeftOut,
+           whole ? &pngs : nullptr);
   PutCommands(payload_, commands);
-  AppendImages(sensed, pngs);
+  if (whole) AppendImages(sensed, pngs, "png");
+  if (keep_images_ && thinned_ && !without_images) {
+    AppendImages(sensed, ForPeople(sensed.images), "webp");
+  }
   const Tick tick = sensed.tick;
   Put(Channel(topic::kFrame, "dockyard_msgs/Frame"), tick, FrameMessage(tick, payload_));
   if (commands_alone_) return;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <thread>
 
+#include "sim/images/decode.h"
 #include "sim/images/png.h"
 #include "sim/images/webp.h"
 
@@ -43,11 +44,11 @@ Image Small(Image image) {
   return image;
 }
 
-std::string SmallPicture(const std::string& png) {
-  if (auto gray = DecodePng<GrayImage>(png)) {
+std::string SmallPicture(const std::string& bytes) {
+  if (auto gray = DecodePng<GrayImage>(bytes)) {
     return EncodeWebp(AsColour(Small(std::move(*gray))), kQuality);
   }
-  if (auto rgb = DecodePng<RgbImage>(png)) return EncodeWebp(Small(std::move(*rgb)), kQuality);
+  if (auto rgb = DecodeColour(bytes)) return EncodeWebp(Small(std::move(*rgb)), kQuality);
   return "";
 }
 
@@ -61,7 +62,7 @@ std::vector<std::string> SmallPictures(const std::vector<const LoggedImage*>& im
     for (std::size_t i = next++; i < images.size(); i = next++) {
       if (images[i] == nullptr) continue;
       try {
-        pictures[i] = SmallPicture(images[i]->png);
+        pictures[i] = SmallPicture(images[i]->bytes);
       } catch (...) {
         faults[i] = std::current_exception();
       }

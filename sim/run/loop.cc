@@ -1,4 +1,5 @@
 #include "sim/run/loop.h"
+#include "sim/run/image_thinning.h"
 
 #include <ctime>
 
@@ -75,6 +76,7 @@ class Run {
         clock_(ready_.camera_times),
         link_(what.scenario.camera_faults, what.scenario.seed, ready_.camera_times),
         sensors_(ready_.sensors, what.scenario.seed),
+        thinning_(what.scenario.log_image_gap_s),
         sensed_(ready_.sensors.size(), std::nan("")) {
     RequireAllowed(what.scenario, options);
     record_.result = StartOfRow(what);
@@ -97,7 +99,8 @@ class Run {
                        .sensors = ready_.sensors,
                        .channels = system.columns.channels,
                        .beliefs = system.columns.beliefs,
-                       .commands_alone = options.log_commands_alone},
+                       .commands_alone = options.log_commands_alone,
+                       .image_gap_s = what.scenario.log_image_gap_s},
           YamlWithoutFolders(what.scenario, options.results_dir.string()));
     }
   }
@@ -153,7 +156,11 @@ class Run {
       sensed.images = link_.Receive(sensed.tick);
       record_.result.images += static_cast<int>(sensed.images.size());
       commands = controller_->Step(sensed);
-      if (log_) log_->Append(sensed, commands);
+      if (log_) {
+        const bool thinned =
+            !sensed.images.empty() && !thinning_.Keeps(sensed.tick, controller_->belief().phase);
+        log_->Append(sensed, commands, thinned);
+      }
       hash_ = HashCommands(hash_, commands, ready_.camera_count);
       Keep(sensed.tick);
       plant().Advance(commands);
@@ -283,6 +290,7 @@ class Run {
   CameraClock clock_;
   ImageLink link_;
   SensorLink sensors_;
+  ImageThinning thinning_;
   std::vector<double> sensed_;  // last
   std::unique_ptr<Controller> controller_;
   PipeController* pipe_ = nullptr;  // the controller, if it is a program

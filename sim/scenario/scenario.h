@@ -117,6 +117,8 @@ struct Scenario {
   Seed seed;
   Pose2 X_WG;  // where the whole yard lies in the world (default identity)
   bool log_images = true;
+  // Of the images that a log keeps of a camera, but at a change of phase; 0: all are kept.
+  double log_image_gap_s = 0.0;
   YamlNode of_system;  // the mapping under the system's own name; the system reads it. kNull: none
   YamlNode changes;    // keys on top of the model files, by model; the system reads it. kNull: none
   YamlNode

@@ -286,6 +286,10 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   keys.Seed({"seed", "", "every random draw follows from it"}, s.seed.number);
   keys.Mapping({"site", "", ""}, [&](Keys& in) { VisitSite(in, s.X_WG); });
   keys.Bool({"log_images", "", "keep the images in the run's log"}, s.log_images);
+  keys.Number({"log_image_gap_s", "s",
+               "least time between images that the log keeps, but at a change of phase; a replay "
+               "makes the others"},
+              s.log_image_gap_s, Between(0.0, 3600.0));
   keys.Tree({"changes", "", "keys on top of the model files, by model", kUnset}, s.changes,
             YamlNode::Kind::kMapping);
   keys.Tree({"as_built", "", "keys on top of these, which the controller is not told", kUnset},

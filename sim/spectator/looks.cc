@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "sim/images/png.h"
+#include "sim/images/decode.h"
 
 namespace dockyard {
 
@@ -33,7 +33,7 @@ std::string WordOf(const Look& look) {
 
 std::optional<RgbImage> PictureOf(const Look& look, std::size_t camera) {
   if (camera >= look.images.size() || look.images[camera] == nullptr) return std::nullopt;
-  return ColourFromPng(look.images[camera]->png);
+  return DecodeColour(look.images[camera]->bytes);
 }
 
 }  // namespace dockyard

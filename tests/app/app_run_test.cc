@@ -156,6 +156,27 @@ TEST(ProgramFrames, WritesTheImagesOfALogWithAndWithoutMarks) {
   EXPECT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 10);
 }
 
+// One image a second, the others made again: the replay has all of them, bit for bit.
+TEST(ProgramFrames, MakesImagesThatALogDoesNotKeepByARunAnew) {
+  const TemporaryFolder folder;
+  const std::string scenario = "run scenarios/raposa_point_9.yaml --set time_limit_s=1.5";
+  const std::string thin = (folder.path() / "thin").string(),
+                    whole = (folder.path() / "whole").string();
+  Dockyard(scenario + " --out " + thin);
+  Dockyard(scenario + " --set log_image_gap_s=0 --out " + whole);
+  EXPECT_LT(3 * fs::file_size(fs::path(thin) / "run.mcap"),
+            fs::file_size(fs::path(whole) / "run.mcap"));
+  const fs::path made = folder.path() / "made", kept = folder.path() / "kept";
+  const Ended frames = Dockyard("frames " + thin + " --plain --out " + made.string());
+  EXPECT_THAT(frames.err, HasSubstr("made by simulating the run again"));
+  ASSERT_EQ(Dockyard("frames " + whole + " --plain --out " + kept.string()).code, 0);
+  EXPECT_EQ(FilesIn(made), FilesIn(kept));
+  EXPECT_GE(FilesIn(made).size(), 14u);
+  const Ended replay = Dockyard("replay " + thin);
+  EXPECT_THAT(replay.out, HasSubstr("controller alone: same commands at all 15 steps"));
+  EXPECT_EQ(replay.code, 0);
+}
+
 // The program prints the pixel that it found: the ring is there.
 TEST(ProgramFrames, DrawsTheMarksOfAProgramWhereItFoundThem) {
   const TemporaryFolder folder;

@@ -234,7 +234,7 @@ TEST(LoggedRun, HasWhatHappenedAtItsTime) {
   ASSERT_EQ(run.cameras.size(), 1u);
   EXPECT_EQ(run.cameras[0].width, 8u);
   EXPECT_EQ(run.cameras[0].height, 6u);
-  EXPECT_THAT(run.images[0].value.png, testing::StartsWith("\x89PNG"));
+  EXPECT_THAT(run.images[0].value.bytes, testing::StartsWith("\x89PNG"));
 }
 
 TEST(LoggedRun, HasTheGroundOnceAndThenWhatChanged) {

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "sim/base/random.h"
+#include "sim/log/logged_run.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
 #include "support/foreign_log.h"
@@ -373,6 +374,33 @@ TEST(ControllerReplay, TakesACommandThatIsNotANumberForEqualToItself) {
   }
   RunLogReader log(folder.path());
   EXPECT_TRUE(ReplayController(log, lost, kSomeRobot).same());
+}
+
+// A controller cannot be run again on images that are not those that it got.
+TEST(RunLog, WithAnImageGapSaysThatFramesHadImagesAndKeepsThemForPeople) {
+  const TemporaryFolder folder;
+  RunLogHeader header;
+  header.image_gap_s = 1.0;
+  {
+    RunLogWriter log(folder.path(), header);
+    log.Append(SomeFrame(0), {}, false);
+    log.Append(SomeFrame(20), {}, false);
+    log.Append(SomeFrame(60), {}, true);
+    log.Finish();
+  }
+  const WholeLog log = ReadWholeLog(folder.path());
+  EXPECT_EQ(log.header.image_gap_s, 1.0);
+  ASSERT_EQ(log.entries.size(), 3u);
+  for (const auto& [entry, left_out] : {std::pair(0, true), {1, false}, {2, true}}) {
+    EXPECT_EQ(log.entries[static_cast<std::size_t>(entry)].images_left_out, left_out) << entry;
+    EXPECT_TRUE(log.entries[static_cast<std::size_t>(entry)].sensed.images.empty()) << entry;
+  }
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  ASSERT_EQ(run.images.size(), 2u);  // of the first frame's two cameras
+  for (const Timed<LoggedImage>& image : run.images) {
+    EXPECT_EQ(image.time_s, 0.0);
+    EXPECT_THAT(image.value.bytes, testing::StartsWith("RIFF"));
+  }
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"site.y_m", "500"},
       {"site.heading_deg", "179.9"},
       {"log_images", "false"},
+      {"log_image_gap_s", "1.5"},
       {"changes", "{soil: {k: 1e+3, name: 'x: \"y\"'}}"},
       {"as_built", "{soil: {k: {times: 0.9}}}"},
       {"script", "[{for_s: 1}, wait]"},

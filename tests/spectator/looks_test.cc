@@ -39,7 +39,7 @@ TEST(LooksOf, GathersImagesByTimeAndCameraWithTheirReport) {
 
 TEST(PictureOf, IsNoneForBytesThatAreNoImage) {
   LoggedRun run = RunWithImages();
-  run.images[0].value.png = "nonsense";
+  run.images[0].value.bytes = "nonsense";
   EXPECT_FALSE(PictureOf(LooksOf(run)[0], 0).has_value());
 }
 
