@@ -52,8 +52,8 @@ Examples:
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Where the log keeps some of the images alone
-(log_image_gap_s) those of the run made again are fed. Exit code 0: the same, 1: not the same, 10: the
-folder holds no result of this run, or its log is cut short.
+(log_image_gap_s) those of the run made again are fed. Exit code 0: the same, 1: not the same, 10:
+the folder holds no result of this run, or its log is cut short.
 
 --frames compares nothing: it draws the run as its log tells it, from outside and with the cameras'
 images in the corner, one PNG for each --period of simulated time, and prints the command that makes

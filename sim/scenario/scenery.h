@@ -37,7 +37,8 @@ struct SceneryItem {
   // count of loose things, a distance that these keep, and the outdoors a radius.
   int count = 0;
   double radius_m = 0.0, least_m = 0.05, largest_m = 0.4;
-  double clear_m = 0.5;  // from target, start and the line between them
+  double clear_m = 0.5;   // from target, start and the line between them
+  double coloured = 0.0;  // share of a room's furniture and things that is blue, reddish or orange
   std::vector<Colour> colours{};
 };
 

@@ -15,6 +15,8 @@ constexpr int kMostInSet = 500;
 // The renderer draws 2000 objects, of which the robot, its target and shade are some.
 constexpr int kMostSolids = 1500;
 constexpr Range kSide_m{0.01, 100.0}, kRoomSide_m{2.0, 30.0};
+// Of a room's furniture and things; assumed, 0-0.4.
+constexpr double kColoured = 0.3;
 // Walls, furniture and joints of the largest room; trees and the like outdoors.
 constexpr int kMostOfRoom = 400, kMostOutdoors = 40;
 
@@ -39,7 +41,7 @@ std::vector<std::string> KeysOf(Kind kind) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
   if (kind == Kind::kRoom) {
-    add({"turn_deg", "length_m", "width_m", "things", "clear_m"});
+    add({"turn_deg", "length_m", "width_m", "things", "clear_m", "coloured"});
     return keys;
   }
   if (kind == Kind::kOutdoors) {
@@ -86,6 +88,7 @@ void ReadSurroundings(const YamlReader& in, SceneryItem& item) {
   if (item.kind == Kind::kRoom) {
     item.size_m = {in.Number("length_m", kRoomSide_m), in.Number("width_m", kRoomSide_m), 0.0};
     item.count = 6;
+    item.coloured = in.NumberOr("coloured", kColoured, Between(0.0, 1.0));
   } else {
     item.radius_m = in.NumberOr("radius_m", 6.0, Between(1.0, 50.0));
     item.count = 40;

@@ -157,7 +157,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"mating_holds.yaml", 2 * 5 * 5},
     {"mating_map.yaml", 2 * 9 * 6},
     {"raposa_built.yaml", 2 * 4},
-    {"raposa_calibrated.yaml", 5 * (1 + 10)},
+    {"raposa_calibrated.yaml", 5 * (1 + 12)},
     {"raposa_sand.yaml", 1},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
