@@ -89,7 +89,8 @@ class Ferreira2009 final : public Controller {
 Commands Ferreira2009::Step(const SensorFrame& sensed) {
   now_ = sensed.tick;
   motion_ = odometry_.Update(sensed);
-  sight_.Look(sensed);
+  // State 6 inhibits further choices (F, C.3): another ellipse is none of its.
+  sight_.Look(sensed, part_ == Part::kChoose || part_ == Part::kPass);
   Believe(motion_);
   last_twist_ = Act();
   Commands commands = BrakedCommands();

@@ -9,7 +9,7 @@ namespace dockyard::raposa {
 Sight::Sight(const Nominal& nominal)
     : nominal_(nominal), vision_(nominal.ferreira_vision), tracker_(nominal) {}
 
-void Sight::Look(const SensorFrame& sensed) {
+void Sight::Look(const SensorFrame& sensed, bool opens) {
   const std::vector<BandChange>& changes = vision_.band_changes;
   while (next_change_ < changes.size() &&
          static_cast<double>(sensed.tick) * kTickSeconds >= changes[next_change_].at_s) {
@@ -23,7 +23,7 @@ void Sight::Look(const SensorFrame& sensed) {
     return;
   }
   without_ = 0;
-  seen_ = tracker_.Find(*image, vision_);
+  seen_ = tracker_.Find(*image, vision_, opens);
 }
 
 double Sight::Bearing() const {

@@ -12,7 +12,8 @@ class Sight {
 
   /// Searches the frame's picture of the back camera, if it has one. Bands that are due by its tick
   /// hold from then on.
-  void Look(const SensorFrame& sensed);
+  /// @param opens  as of MarkTracker::Find
+  void Look(const SensorFrame& sensed, bool opens = true);
   /// Whether the last frame had a picture; seen() is of the last picture.
   bool fresh() const { return without_ == 0; }
   /// No picture for long.

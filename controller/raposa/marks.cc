@@ -167,12 +167,12 @@ MarksSeen FindMarks(const ColourSearch& image, const Nominal& nominal, const Fer
   return seen;
 }
 
-MarksSeen MarkTracker::Find(const RgbImage& image, const FerreiraVision& vision) {
+MarksSeen MarkTracker::Find(const RgbImage& image, const FerreiraVision& vision, bool opens) {
   MarksSeen seen = FindMarks(ColourSearch(image), nominal_, vision, previous_px_);
   if (seen.orange) {
     previous_px_ = seen.orange->ellipse.centre_px;
     lost_ = 0;
-  } else if (++lost_ >= vision.lost_frames) {
+  } else if (++lost_ >= vision.lost_frames && opens) {
     previous_px_.reset();
   }
   return seen;

@@ -69,11 +69,12 @@ bool Possible(const MarkPair& pair, const Nominal& nominal, const PairLimits& li
 MarksSeen FindMarks(const ColourSearch& image, const Nominal& nominal, const FerreiraVision& vision,
                     const std::optional<Eigen::Vector2d>& previous_px);
 
-/// FindMarks frame by frame. The ball opens after the lost frames.
+/// FindMarks frame by frame.
 class MarkTracker {
  public:
   explicit MarkTracker(const Nominal& nominal) : nominal_(nominal) {}
-  MarksSeen Find(const RgbImage& image, const FerreiraVision& vision);
+  /// @param opens  whether the ball opens after the lost frames
+  MarksSeen Find(const RgbImage& image, const FerreiraVision& vision, bool opens = true);
   /// Frames in a row without an ellipse.
   int lost() const { return lost_; }
   /// The view has changed by more than a frame's motion.

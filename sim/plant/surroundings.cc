@@ -92,12 +92,13 @@ void AddTable(const Wall& wall, double along_m, Hand& hand, std::vector<SceneryI
 }
 
 /// At a place along a wall: a door, a cupboard, a table, or nothing.
-void AddFurniture(const Wall& wall, double along_m, double coloured_share, Hand& hand,
+void AddFurniture(const Wall& wall, double along_m, const SceneryItem& room, Hand& hand,
                   std::vector<SceneryItem>& out) {
   using enum Colour;
   const int what = hand.Count(0, 4);
-  const bool coloured = hand.Between(0.0, 1.0) < coloured_share;
-  const Colour colour = coloured ? hand.Of({kDenim, kBrick}) : hand.Of({kFloor, kGrey, kWhite});
+  const bool coloured = hand.Between(0.0, 1.0) < room.coloured;
+  Colour colour = coloured ? hand.Of({kDenim, kBrick}) : hand.Of({kFloor, kGrey, kWhite});
+  if (colour == kBrick && room.reddish_m < kDoorHigh_m) colour = kDenim;
   if (what == 0) {
     out.push_back(
         wall.Box(colour, along_m, 0.5 * kDoorDeep_m, {kDoorWide_m, kDoorDeep_m, kDoorHigh_m}));
@@ -138,17 +139,19 @@ bool IsClear(const Eigen::Vector2d& p, double clear_m, const Eigen::Vector2d& st
   return DistanceTo(p, target, start_D) >= clear_m && DistanceTo(p, target, before) >= clear_m;
 }
 
-SceneryItem LooseThing(double coloured_share, Hand& hand) {
+SceneryItem LooseThing(const SceneryItem& room, Hand& hand) {
   using enum Colour;
   const Kind kind = hand.Count(0, 3) == 0   ? Kind::kCylinder
                     : hand.Count(0, 3) == 0 ? Kind::kSphere
                                             : Kind::kBox;
-  const bool coloured = hand.Between(0.0, 1.0) < coloured_share;
+  const bool coloured = hand.Between(0.0, 1.0) < room.coloured;
   const Colour colour = coloured ? hand.Of({kDenim, kBrick, kConeOrange})
                                  : hand.Of({kFloor, kFloor, kBlack, kBlack, kGrey, kWhite});
   Eigen::Vector3d size_m{hand.Between(0.1, 0.45), hand.Between(0.1, 0.45), hand.Between(0.1, 0.5)};
   if (kind != Kind::kBox) size_m.y() = size_m.x();
   if (kind == Kind::kSphere) size_m.setConstant(0.6 * size_m.x());
+  const bool reddish = colour == kBrick || colour == kConeOrange;
+  if (reddish) size_m *= std::min(1.0, room.reddish_m / size_m.maxCoeff());
   return Solid(kind, colour, size_m, {});
 }
 
@@ -184,7 +187,7 @@ std::vector<SceneryItem> DrawRoom(const SceneryItem& room, const Eigen::Vector2d
       const double along_m = (i + 0.5 - 0.5 * places) * kPlace_m + walls.Between(-0.1, 0.1);
       const Pose2 middle = wall.X_DW * Pose2{along_m, 0.5 * kDeepest_m, 0.0};
       std::vector<SceneryItem> furniture;
-      AddFurniture(wall, along_m, room.coloured, walls, furniture);
+      AddFurniture(wall, along_m, room, walls, furniture);
       const double reach_m = 0.5 * std::hypot(kPlace_m, kDeepest_m);
       if (!IsClear({middle.x, middle.y}, room.clear_m + reach_m, start_D)) continue;
       out.insert(out.end(), furniture.begin(), furniture.end());
@@ -194,7 +197,7 @@ std::vector<SceneryItem> DrawRoom(const SceneryItem& room, const Eigen::Vector2d
   const double reach_m = 0.5 * room.size_m.head<2>().norm();
   for (int i = 0; i < room.count; ++i) {
     Hand hand(WorldSeed(stream, 2, static_cast<std::uint64_t>(i)));
-    SceneryItem thing = LooseThing(room.coloured, hand);
+    SceneryItem thing = LooseThing(room, hand);
     const double radius_m = RadiusOf(thing);
     const auto is_free = [&](const Eigen::Vector2d& p_O) {
       const Eigen::Vector2d from_wall = 0.5 * room.size_m.head<2>() - p_O.cwiseAbs();

@@ -84,7 +84,7 @@ System RaposaSystem(const std::vector<NamedController<Nominal>>& controllers,
   system.example_files.campaign = "scenarios/raposa_grid.yaml";
   system.example_files.robot = "models/raposa/raposa.yaml";
   system.example_files.reproduction = "raposa2009";
-  system.example_files.start_images = "b9589d27c7d7e3ec";
+  system.example_files.start_images = "5204f86ec478904d";
   system.reproductions = {{"raposa2009", "scenarios/raposa2009_published.yaml",
                            "The 64 trials of Ferreira and Ventura (2009) from the 16 points of "
                            "their Table I, driven by a controller as they describe theirs."}};

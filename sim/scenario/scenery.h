@@ -37,8 +37,10 @@ struct SceneryItem {
   // count of loose things, a distance that these keep, and the outdoors a radius.
   int count = 0;
   double radius_m = 0.0, least_m = 0.05, largest_m = 0.4;
-  double clear_m = 0.5;   // from target, start and the line between them
-  double coloured = 0.0;  // share of a room's furniture and things that is blue, reddish or orange
+  double clear_m = 0.5;  // from target, start and the line between them
+  // Of a room's furniture and things: the share that is blue, reddish or orange, and the largest
+  // side of what is reddish or orange.
+  double coloured = 0.0, reddish_m = 0.0;
   std::vector<Colour> colours{};
 };
 

@@ -17,6 +17,7 @@ constexpr int kMostSolids = 1500;
 constexpr Range kSide_m{0.01, 100.0}, kRoomSide_m{2.0, 30.0};
 // Of a room's furniture and things; assumed, 0-0.4.
 constexpr double kColoured = 0.3;
+constexpr double kReddish_m = 2.5;  // all
 // Walls, furniture and joints of the largest room; trees and the like outdoors.
 constexpr int kMostOfRoom = 400, kMostOutdoors = 40;
 
@@ -41,7 +42,7 @@ std::vector<std::string> KeysOf(Kind kind) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
   if (kind == Kind::kRoom) {
-    add({"turn_deg", "length_m", "width_m", "things", "clear_m", "coloured"});
+    add({"turn_deg", "length_m", "width_m", "things", "clear_m", "coloured", "reddish_m"});
     return keys;
   }
   if (kind == Kind::kOutdoors) {
@@ -89,6 +90,7 @@ void ReadSurroundings(const YamlReader& in, SceneryItem& item) {
     item.size_m = {in.Number("length_m", kRoomSide_m), in.Number("width_m", kRoomSide_m), 0.0};
     item.count = 6;
     item.coloured = in.NumberOr("coloured", kColoured, Between(0.0, 1.0));
+    item.reddish_m = in.NumberOr("reddish_m", kReddish_m, Between(0.01, 10.0));
   } else {
     item.radius_m = in.NumberOr("radius_m", 6.0, Between(1.0, 50.0));
     item.count = 40;

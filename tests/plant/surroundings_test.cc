@@ -70,6 +70,31 @@ TEST(Surroundings, ARoomIsClosedByItsWallsAndNothingIsBeyondThem) {
   }
 }
 
+TEST(Surroundings, OfARoomHaveTheirColoursAndReddishThingsTheirSize) {
+  using enum SceneryItem::Colour;
+  SceneryItem room = kRoom;
+  const auto count = [&](SceneryItem::Colour colour) {
+    int n = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      for (const SceneryItem& solid : DrawRoom(room, kStart, seed)) n += solid.colour == colour;
+    }
+    return n;
+  };
+  room.reddish_m = 2.5;
+  EXPECT_EQ(count(kDenim) + count(kBrick) + count(kConeOrange), 0);
+  room.coloured = 0.5;
+  EXPECT_GT(count(kDenim), 50);
+  EXPECT_GT(count(kBrick), 50);
+  EXPECT_GT(count(kConeOrange), 30);
+  room.reddish_m = 0.05;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const SceneryItem& solid : DrawRoom(room, kStart, seed)) {
+      if (solid.colour != kBrick && solid.colour != kConeOrange) continue;
+      EXPECT_LE(solid.size_m.maxCoeff(), 0.05 + 1e-12);
+    }
+  }
+}
+
 TEST(Surroundings, FollowFromTheSeed) {
   const auto a = DrawRoom(kRoom, kStart, 1), b = DrawRoom(kRoom, kStart, 1),
              c = DrawRoom(kRoom, kStart, 2);

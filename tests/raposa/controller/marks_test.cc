@@ -209,6 +209,18 @@ TEST(Marks, TheBallOpensAfterTheLostFrames) {
   EXPECT_EQ(tracker.lost(), 0);
 }
 
+// State 6 inhibits further choices: another orange thing is none of its.
+TEST(Marks, ABallThatStaysIgnoresOtherEllipsesHoweverLongTheGuideIsLost) {
+  MarkTracker tracker(kNominal);
+  const FerreiraVision& vision = kNominal.ferreira_vision;
+  ASSERT_TRUE(tracker.Find(Draw(kNominal, kPlace, {}), vision, false).pair);
+  const RgbImage jumped = Draw(kNominal, CameraAt(1.0, Radians(30.0), Radians(5.0)), {});
+  for (int i = 0; i < 3 * vision.lost_frames; ++i) {
+    EXPECT_FALSE(tracker.Find(jumped, vision, false).orange) << i;
+  }
+  EXPECT_TRUE(tracker.Find(Draw(kNominal, kPlace, {}), vision, false).pair);
+}
+
 /// A blue plate in front of the view at 1 m, in place of the square: too high by that share.
 Clutter Plate(double share, double from_px) {
   const double side_px = 377.0 * 0.06 / 1.098 * (1.0 + share);
