@@ -1,10 +1,10 @@
 #include "sim/raposa/robot_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "models/read/mesh_loader.h"
 #include "sim/raposa/mating_shapes.h"
 
 namespace dockyard::raposa {
@@ -48,19 +48,10 @@ Points Circle(const Eigen::Vector3d& middle, double radius_m) {
 }
 
 RenderMesh Box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  const TriangleMesh box = BoxMesh(high - low);
   RenderMesh mesh;
-  const auto corner = [&](int x, int y, int z) {
-    return Eigen::Vector3d((x ? high : low).x(), (y ? high : low).y(), (z ? high : low).z());
-  };
-  const Points below{corner(0, 0, 0), corner(1, 0, 0), corner(1, 1, 0), corner(0, 1, 0)};
-  const Points above{corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1)};
-  AddStrip(below, above, mesh);
-  for (const auto& [face, up] : {std::pair(below, false), std::pair(above, true)}) {
-    std::array<std::uint32_t, 4> at{};
-    for (std::size_t k = 0; k < 4; ++k) at[k] = Add(mesh, face[up ? k : 3 - k]);
-    mesh.triangles.push_back({at[0], at[1], at[2]});
-    mesh.triangles.push_back({at[0], at[2], at[3]});
-  }
+  for (const Eigen::Vector3d& v : box.vertices) Add(mesh, v + 0.5 * (low + high));
+  mesh.triangles = box.triangles;
   return mesh;
 }
 
