@@ -27,7 +27,7 @@ Predicted Predict(const MarkPair& pair, const Nominal& nominal) {
   predicted.height_px = nominal.camera.focal_px().x() * marks.edge_m / depth_m;
   predicted.most_c_px = predicted.height_px * std::hypot(marks.behind_m, half_m) / marks.edge_m;
   predicted.area_ratio = predicted.height_px * predicted.height_px / pair.orange.area_px2;
-  // There the paint on one side of the square alone is visible.
+  // At that angle the paint on one side of the square alone is visible.
   predicted.least_share = marks.strip_m / marks.edge_m * std::sin(kVisibleTo_rad);
   return predicted;
 }

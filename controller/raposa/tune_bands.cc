@@ -95,6 +95,7 @@ HsvBand AtHalfLevel(const RgbImage& image, const ColourSearch& search, const Blo
     if (off <= least) best.push_back(saturation);
     least = std::min(least, off);
   }
+  if (std::isinf(least)) return band;
   tried.saturation_from = static_cast<std::uint8_t>(Median(std::move(best)));
   return tried;
 }

@@ -20,17 +20,16 @@ struct TunedBands {
 std::optional<HsvBand> BandOf(const ColourSearch& image, const BlobBounds& region,
                               const HsvBand& within, const FerreiraTuning& tuning);
 
-/// The same band with the least saturation by which the region that it gives is bounded where the
-/// colours are halfway between mark and surroundings, as near as it can be on all four sides. The
-/// user of the paper's robot did so by hand. The band itself where the image has no such edges.
+/// The band with another least saturation. Its region then ends where the colours are halfway
+/// between mark and surroundings, as nearly as whole pixels allow on all four sides. The user of
+/// the paper's robot tunes by hand (F, C.3). The band as it is where the image has no such edges.
 HsvBand AtHalfLevel(const RgbImage& image, const ColourSearch& search, const BlobBounds& region,
                     const HsvBand& band);
 
 /// The pair that fits the pyramid best over a grid of candidate bands about orange and blue, then
-/// the bands of its two marks, that of the blue AtHalfLevel: its edges are what g and c
-/// are measured by. Geometry finds the colours, so the picture should show the pyramid,
-/// both marks whole, at a moderate distance: 0.5 to 1.5 m, 20 to 60 deg from its axis. None when no
-/// candidate gives a possible pair, by the tight limits.
+/// the bands of its two marks, each AtHalfLevel. Geometry finds the colours, so the image should
+/// show the pyramid, both marks whole, at a moderate distance: 0.5 to 1.5 m, 20 to 60 deg from its
+/// axis. None when no candidate gives a possible pair, by the tight limits.
 std::optional<TunedBands> TuneBands(const RgbImage& image, const Nominal& nominal,
                                     const FerreiraTuning& tuning = {});
 

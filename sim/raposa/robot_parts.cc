@@ -10,6 +10,7 @@
 namespace dockyard::raposa {
 namespace {
 
+// Shapes for spectators alone, which no camera of the robot and no contact has; assumed.
 constexpr int kFacets = 48;
 constexpr double kThick_m = 0.004;                       // of the housing's walls
 constexpr double kHousingHalf_m = 0.095;                 // half its width
