@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/hash.h"
+
 namespace dockyard {
 namespace {
 
