@@ -38,7 +38,7 @@ std::string Screen(const CLI::App& app) {
   std::size_t widest = 0;
   for (const std::string& name : CommandNames(app)) widest = std::max(widest, name.size());
   const std::string program = app.get_name();
-  std::string text = app.get_description() + "\nUsage: " + program + " COMMAND [ARGUMENTS]\n\n";
+  std::string text = app.get_description() + "\nUsage: " + program + " COMMAND [ARGUMENTS]\n";
   for (const std::string& group : GroupsOf(app)) {
     text += group + ":\n";
     for (const CLI::App* command : app.get_subcommands({})) {
@@ -47,7 +47,7 @@ std::string Screen(const CLI::App& app) {
       text += "  " + name + std::string(widest + 2 - name.size(), ' ') + Summary(*command) + "\n";
     }
   }
-  return text + "\n" + program + " help COMMAND shows arguments and examples, " + program +
+  return text + program + " help COMMAND shows arguments and examples, " + program +
          " --version the version.\n";
 }
 

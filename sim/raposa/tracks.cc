@@ -26,16 +26,6 @@ BeltModel BeltOf(const BeltsModel& belts, double rear_m, double front_m, double 
   return belt;
 }
 
-Belt BeltOn(const std::vector<GroundModel>& grounds, const BeltModel& model) {
-  const auto on = [&](const GroundModel& ground) {
-    return ground.soil ? Belt(model, *ground.soil, ground.belt.rolling_loss)
-                       : Belt(model, ground.belt);
-  };
-  Belt belt = on(grounds.front());
-  for (std::size_t i = 1; i < grounds.size(); ++i) belt.AddGround(on(grounds[i]));
-  return belt;
-}
-
 std::array<Belt, 2> BothSides(const RobotModel& robot, const std::vector<GroundModel>& grounds,
                               double rear_m, double front_m) {
   const double y_m = 0.5 * robot.belts.gauge_m;
@@ -49,6 +39,20 @@ MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
 }
 
 }  // namespace
+
+BeltModel BodyBeltOf(const RobotModel& robot, double y_m) {
+  return BeltOf(robot.belts, robot.belts.body_rear_m, robot.belts.body_front_m, y_m);
+}
+
+Belt BeltOn(const std::vector<GroundModel>& grounds, const BeltModel& model) {
+  const auto on = [&](const GroundModel& ground) {
+    return ground.soil ? Belt(model, *ground.soil, ground.belt.rolling_loss)
+                       : Belt(model, ground.belt);
+  };
+  Belt belt = on(grounds.front());
+  for (std::size_t i = 1; i < grounds.size(); ++i) belt.AddGround(on(grounds[i]));
+  return belt;
+}
 
 Tracks::Tracks(const RobotModel& robot, const std::vector<GroundModel>& grounds, const Seed& seed)
     : radius_m_(robot.belts.roller_radius_m),

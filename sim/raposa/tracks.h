@@ -20,6 +20,11 @@
 
 namespace dockyard::raposa {
 
+/// One of the robot's main belts, its middle at y in R.
+BeltModel BodyBeltOf(const RobotModel& robot, double y_m);
+/// On these grounds, by their numbers.
+Belt BeltOn(const std::vector<GroundModel>& grounds, const BeltModel& model);
+
 enum class Side : std::uint8_t { kLeft, kRight };
 
 class Tracks {

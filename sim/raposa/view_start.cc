@@ -15,7 +15,7 @@ Json MarksJson(const BuiltRun& built, const Truth& truth) {
   const Pose3 X_CP = Inverse(truth.X_WR * camera.X_RC) * truth.X_WP;
   const auto pixel = [&](const Eigen::Vector3d& p_P) {
     const auto at = camera.camera.Project(X_CP * p_P);
-    return at ? ToJson(*at) : Json();
+    return at ? dockyard::ToJson(*at) : Json();
   };
   const double half_m = 0.5 * marks.edge_m;
   Json corners = Json::array();

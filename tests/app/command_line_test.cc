@@ -39,7 +39,9 @@ TEST(Help, OfTheProgramFitsOneScreen) {
   for (const char* group : {"\nRun:\n", "\nResults:\n", "\nVision:\n", "\nTools:\n"}) {
     EXPECT_THAT(help.out, HasSubstr(group));
   }
-  EXPECT_THAT(help.out, testing::ContainsRegex("\nOf the system raposa:\n  alpha .*\n  tune "));
+  EXPECT_THAT(help.out,
+              testing::ContainsRegex(
+                  "\nOf the system raposa:\n  alpha .*\n  belt .*\n  socket .*\n  tune "));
   EXPECT_THAT(help.out, testing::ContainsRegex("\n  campaign +Simulate all runs "));
   EXPECT_EQ(Dockyard("help").out, help.out);
 }

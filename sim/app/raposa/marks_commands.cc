@@ -14,8 +14,10 @@
 #include "models/read/near_names.h"
 #include "models/read/text_file.h"
 #include "sim/app/raposa/alpha_command.h"
+#include "sim/app/raposa/belt_command.h"
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
+#include "sim/app/raposa/socket_command.h"
 #include "sim/app/raposa/words.h"
 #include "sim/base/count_text.h"
 #include "sim/base/files.h"
@@ -206,7 +208,7 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
   const Nominal nominal = NominalOfFiles(in);
   RgbImage image = Load(in.image, nominal.camera);
   if (in.pipeline == "dockyard") {
-    const PyramidSeen seen = PyramidEye(nominal).Find(image, Radians(in.pitch_deg));
+    const PyramidSighting seen = PyramidFinder(nominal).Find(image, Radians(in.pitch_deg));
     if (!in.draw.empty()) {
       DrawPyramid(nominal, seen, image);
       WriteWhole(in.draw, EncodePng(image));
@@ -238,6 +240,9 @@ std::vector<SystemCommand> RaposaCommands() {
   return {
       {"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha,
        AlphaOptions()},
+      {"belt", "Drive one belt over a ground, or turn the robot in place.", BeltOnGround,
+       BeltOptions()},
+      {"socket", "Say what RAPOSA's socket lets in.", Socket, SocketOptions()},
       {"tune", "Write the colour bands of RAPOSA's pyramid from one image.", Tune, TuneOptions()}};
 }
 

@@ -1,4 +1,5 @@
-// RAPOSA's own commands: `dockyard alpha`, `dockyard tune`, and `dockyard detect` for its robot.
+// RAPOSA's own commands: `dockyard alpha`, `dockyard belt`, `dockyard socket`, `dockyard tune`, and
+// `dockyard detect` for its robot.
 #pragma once
 
 #include <string>

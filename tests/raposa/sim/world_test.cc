@@ -8,6 +8,7 @@
 
 #include "models/raposa/load_ground.h"
 #include "raposa/sim/raposa_rig.h"
+#include "sim/raposa/ground_trials.h"
 #include "sim/rigid/slope.h"
 #include "sim/soil/soil_laws.h"
 #include "support/source_tree.h"
@@ -54,19 +55,8 @@ TEST(RaposaWorld, EqualBeltsDriveStraightByWhatTheyRun) {
   EXPECT_LT(std::abs(Degrees(HeadingOf(end) - HeadingOf(start))), 0.05);
 }
 
-/// The gauge by which belts that run against each other turn the robot.
-double EffectiveGauge(WorldSetup setup, double arm_rad) {
-  World world(setup);
-  MotorCommands arm{};
-  arm[2] = GoTo(setup, Motor::kArm, arm_rad);
-  Play(world, setup, arm, 4.0);
-  constexpr double kBelt_m_s = 0.05;
-  MotorCommands turn = Belts(setup, -kBelt_m_s, kBelt_m_s);
-  turn[2] = arm[2];
-  Play(world, setup, turn, 2.0);
-  const double from = HeadingOf(world.truth());
-  Play(world, setup, turn, 4.0);
-  return 2.0 * kBelt_m_s * 4.0 / WrapPi(HeadingOf(world.truth()) - from);
+double EffectiveGauge(const WorldSetup& setup, double arm_rad) {
+  return TryTurning(setup, arm_rad, 0.05).gauge_m;
 }
 
 // Closed forms of a rigid body on Coulomb belts with a linear pressure, nothing fitted: raised,
