@@ -1,7 +1,7 @@
 #include "controller/raposa/dockyard.h"
 
 #include "controller/raposa/pilot.h"
-#include "controller/raposa/pyramid_eye.h"
+#include "controller/raposa/pyramid_finder.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -9,24 +9,26 @@ namespace {
 class Dockyard final : public Controller {
  public:
   explicit Dockyard(const Nominal& nominal)
-      : delay_s_(nominal.camera_delay_s), eye_(nominal), pilot_(nominal, {}) {}
+      : delay_s_(nominal.camera_delay_s), finder_(nominal), pilot_(nominal, {}) {}
 
   Commands Step(const SensorFrame& sensed) override {
     const RgbImage* image = RgbImageOf(sensed, kBackCamera);
     if (image == nullptr) return pilot_.Step(sensed, nullptr, 0.0);
-    const PyramidSeen seen = eye_.Find(*image, pilot_.pitch_rad(), pilot_.Prior());
+    const ImageHints hints = pilot_.Hints();
+    const PyramidSighting sighting =
+        finder_.Find(*image, hints.pitch_rad, hints.prior, hints.refuted);
     Tick exposed = sensed.tick;
     for (const CameraImage& taken : sensed.images) {
       if (taken.camera == kBackCamera) exposed = taken.exposed;
     }
     const double since_s = static_cast<double>(sensed.tick - exposed) * kTickSeconds;
-    return pilot_.Step(sensed, &seen, since_s + delay_s_);
+    return pilot_.Step(sensed, &sighting, since_s + delay_s_);
   }
   const Belief& belief() const override { return pilot_.belief(); }
 
  private:
   double delay_s_;
-  PyramidEye eye_;
+  PyramidFinder finder_;
   Pilot pilot_;
 };
 

@@ -61,7 +61,8 @@ struct DockyardOptions {
   double press_rad = Radians(8.0);
   double press_other_rad = Radians(4.0);  // less, then more, at each further try: the seat's height
                                           // changes by 2 mm; assumed, 2-5 deg
-  double look_low_rad = Radians(14.0);    // to see a guide that is low in the view; assumed, 10-18
+  double low_within_m = 0.75;  // from there a guide may be below the view; assumed, 0.4-0.8
+  double look_low_rad = Radians(14.0);  // to see a guide that is low in the view; assumed, 10-18
   double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 8 mm; 0-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
   double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
@@ -69,7 +70,7 @@ struct DockyardOptions {
   double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
   // Looking and searching.
-  int looks = 3;                           // pictures with a pose before it decides; assumed, 2-6
+  int agreeing_images = 3;  // that agree on one pose, or on none, before it decides; assumed, 2-6
   double sure_heading_rad = Radians(9.0);  // 1 sigma to decide on; assumed, 5-12
   double patience_s = 0.9;  // standing, for a picture with what it needs; assumed, 0.5-2
   // Of that, until it presses the arm to see a guide that is low in its view; assumed, 0.3-0.6.
@@ -89,9 +90,14 @@ struct DockyardOptions {
   double back_m = 0.25;              // away from a guide too near for its marks; assumed, 0.15-0.4
   double back_share = 0.6;  // backwards at this share of the forward speeds; assumed, 0.4-0.8
   int straight_backs = 1;   // from one guide; then it goes round it; assumed, 1-3 ...
-  double round_rad = Radians(60.0);     // ... by this at a time, seen from the guide; 45-75 ...
-  int backs = 7;                        // ... until it has been all round: 360 / 60, and one back
-  double most_search_rad = 6.0 * kPi;   // in all, without a way to the axis; assumed, 2-4 turns
+  double round_rad = Radians(60.0);  // ... by this at a time, seen from the guide; 45-75 ...
+  int backs = 7;                     // ... until it has been all round: 360 / 60, and one back
+  double across_m = 0.15;  // across the line of sight while two poses are likely; assumed, 0.1-0.25
+  int acrosses = 2;        // such moves; then it decides on the likelier; assumed, 1-3
+  double believed_from_m = 0.35;  // in camera range a believed guide must show; assumed, 0.3-0.5
+  double refuted_m = 0.12;        // about a thing that is no guide; assumed, 0.08-0.2 ...
+  double refuted_share = 0.08;    // ... and so much of its range; assumed, 0.05-0.15
+  double most_search_rad = 6.0 * kPi;   // in all, until it drives to the axis; assumed, 2-4 turns
   double search_rad_s = Radians(15.0);  // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 

@@ -115,6 +115,17 @@ GatePlan PlanToGate(const Pose2& X_DN, const Nominal& nominal, const DockyardOpt
   return best;
 }
 
+Leg AcrossSight(const Pose2& X_DN, double length_m, const DockyardOptions& options) {
+  const Eigen::Vector2d at(X_DN.x, X_DN.y);
+  const Eigen::Vector2d sight = -at.normalized();
+  Eigen::Vector2d across(-sight.y(), sight.x());
+  if (across.dot(Eigen::Vector2d(options.gate_m, 0.0) - at) < 0.0) across = -across;
+  const double forwards = std::atan2(across.y(), across.x());
+  const bool back = std::abs(WrapPi(forwards - X_DN.heading)) > kPi / 2;
+  return {back ? WrapPi(forwards + kPi) : forwards, back ? -length_m : length_m,
+          at + length_m * across};
+}
+
 bool InCone(const Pose2& X_DN, const DockyardOptions& options) {
   const double ahead_m = X_DN.x - options.cone_from_m;
   // Before it has turned the other way it goes on by its heading.

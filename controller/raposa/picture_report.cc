@@ -34,14 +34,15 @@ Eigen::Vector2d MiddleOf(const ConvexPolygon& polygon) {
 
 }  // namespace
 
-SightingReport ReportOf(const PyramidSeen& seen, const Pose2& X_DN, const Nominal& nominal) {
+SightingReport ReportOf(const PyramidSighting& sighting, const Pose2& X_DN,
+                        const Nominal& nominal) {
   SightingReport report = OfThisSystem();
-  report.accepted = !seen.fits.empty();
-  if (!report.accepted) report.reason = seen.guide ? "the guide shows no marks" : "no guide";
-  if (seen.guide) report.marks = {MarkAt(kGuideMark, seen.guide->centre_px)};
+  report.accepted = !sighting.fits.empty();
+  if (!report.accepted) report.reason = sighting.guide ? "the guide shows no marks" : "no guide";
+  if (sighting.guide) report.marks = {MarkAt(kGuideMark, sighting.guide->centre_px)};
   report.detected = {static_cast<int>(report.marks.size())};
-  if (seen.fits.empty()) return report;
-  const PyramidFit& fit = seen.fits.front();
+  if (sighting.fits.empty()) return report;
+  const PyramidFit& fit = sighting.fits.front();
   report.X_RB = PyramidInBody(X_DN);
   const Eigen::Rotation2Dd R_RV(ToGround(report.X_RB).heading - fit.X_VD.heading);
   const Eigen::Matrix2d R = R_RV.toRotationMatrix();
@@ -60,14 +61,15 @@ SightingReport ReportOf(const PyramidSeen& seen, const Pose2& X_DN, const Nomina
   return report;
 }
 
-SightingReport ReportOf(const MarksSeen& seen, const Pose2& X_DN) {
+SightingReport ReportOf(const MarksSeen& sighting, const Pose2& X_DN) {
   SightingReport report = OfThisSystem();
-  report.accepted = seen.pair.has_value();
+  report.accepted = sighting.pair.has_value();
   if (!report.accepted) {
-    report.reason = !seen.orange ? "no ellipse" : !seen.blue ? "no blue" : "no pair";
+    report.reason = !sighting.orange ? "no ellipse" : !sighting.blue ? "no blue" : "no pair";
   }
-  if (seen.orange) report.marks.push_back(MarkAt(kGuideMark, seen.orange->ellipse.centre_px));
-  if (seen.blue) report.marks.push_back(MarkAt(kBlueMark, seen.blue->centre_px()));
+  if (sighting.orange)
+    report.marks.push_back(MarkAt(kGuideMark, sighting.orange->ellipse.centre_px));
+  if (sighting.blue) report.marks.push_back(MarkAt(kBlueMark, sighting.blue->centre_px()));
   report.detected = {static_cast<int>(report.marks.size())};
   if (report.accepted) report.X_RB = PyramidInBody(X_DN);
   return report;

@@ -28,10 +28,11 @@ FerreiraMotion SearchOptions(const DockyardOptions& options) {
 
 bool Moves(const Twist& twist) { return twist.speed_m_s != 0.0 || twist.turn_rad_s != 0.0; }
 
-void Believe(const PyramidFilter& filter, Belief* belief) {
-  belief->located = filter.located();
+/// sure: of the angle. Without that nothing is claimed.
+void Believe(const PyramidFilter& filter, bool sure, Belief* belief) {
+  belief->located = sure;
   belief->values[4].value = filter.gauge_share();
-  if (!filter.located()) return;
+  if (!sure) return;
   const Pose2 X_DN = filter.X_DN();
   belief->X_DR = {X_DN.x, X_DN.y, WrapPi(X_DN.heading + kPi)};
   belief->values[1].value = Degrees(filter.alpha_rad());
@@ -53,28 +54,27 @@ Pilot::Pilot(const Nominal& nominal, const DockyardOptions& options)
       {"state", 0.0}, {"alpha_deg", 0.0}, {"r_m", 0.0}, {"passes", 0.0}, {"gauge_share", 1.0}};
 }
 
-double Pilot::pitch_rad() const {
-  return CameraPitch(nominal_) + LeanOf(nominal_, belts_.arm_rad());
-}
-
-std::optional<PyramidPrior> Pilot::Prior() const {
-  // Where nothing is seen that fits what is believed, it looks afresh now and then.
+ImageHints Pilot::Hints() const {
+  ImageHints hints;
+  hints.pitch_rad = CameraPitch(nominal_) + LeanOf(nominal_, belts_.arm_rad());
+  hints.refuted = refuted_.things();
+  // Where no image fits what is believed, one is searched afresh now and then.
   const bool afresh =
-      round_.supposed || (guide_.fitless > kFitless && guide_.fitless % kAfresh == 0);
-  if (!filter_.located() || afresh) return std::nullopt;
-  PyramidPrior prior = filter_.Prior();
-  prior.covariance *= options_.prior_share * options_.prior_share;
-  prior.covariance.diagonal() +=
+      round_.hypothetical || (guide_.fitless > kFitless && guide_.fitless % kAfresh == 0);
+  if (!filter_.located() || afresh) return hints;
+  hints.prior = filter_.Prior();
+  hints.prior->covariance *= options_.prior_share * options_.prior_share;
+  hints.prior->covariance.diagonal() +=
       Eigen::Vector3d(options_.prior_m, options_.prior_m, options_.prior_rad).cwiseAbs2();
-  return prior;
+  return hints;
 }
 
 void Pilot::Enter(Phase phase, const std::string& note) {
   DOCKYARD_CHECK(MayFollow(here_.phase, phase));
   here_ = {.phase = phase, .entered = now_};
   belief_.note = note;
-  if (phase != Phase::kSearch) search_.End();
   if (phase == Phase::kClose) doors_.Begin();
+  if (phase != Phase::kTurn && phase != Phase::kLeg) tries_.crossing = false;
 }
 
 void Pilot::ReadDrives(const SensorFrame& sensed) {
@@ -83,28 +83,38 @@ void Pilot::ReadDrives(const SensorFrame& sensed) {
   const auto steps = belts_.Read(sensed, Moves(kept_.twist));
   if (!steps) return;
   turned_rad_ = (steps->right_m - steps->left_m) / steps->gauge_m;
-  const double way_m = -0.5 * (steps->left_m + steps->right_m);
-  here_.driven_m += way_m;
-  Carry(filter_.gauge_share() * turned_rad_, std::abs(way_m), &guide_);
+  const double driven_m = -0.5 * (steps->left_m + steps->right_m);
+  here_.driven_m += driven_m;
+  const double turn_rad = filter_.gauge_share() * turned_rad_;
+  const Pose2 X_NV = CameraInPlan(nominal_);
+  refuted_.Move(
+      Inverse(X_NV) *
+      Pose2{driven_m * std::cos(0.5 * turn_rad), driven_m * std::sin(0.5 * turn_rad), turn_rad} *
+      X_NV);
+  Carry(turn_rad, std::abs(driven_m), &guide_);
   filter_.Drive(*steps);
 }
 
-void Pilot::TakeImage(const PyramidSeen& seen, double age_s) {
-  const bool fits = !seen.fits.empty();
+void Pilot::TakeImage(const PyramidSighting& sighting, double age_s) {
+  const bool fits = !sighting.fits.empty();
   ++belief_.sighting_count;
   belief_.last_sighting =
-      ReportOf(seen, fits ? filter_.PlacedBy(seen.fits.front(), age_s) : Pose2{}, nominal_);
-  Take(seen, now_, &guide_);
+      ReportOf(sighting, fits ? filter_.PlacedBy(sighting.fits.front(), age_s) : Pose2{}, nominal_);
+  for (const PyramidSighting::Known& known : sighting.known) {
+    refuted_.Correct(known.thing, known.bearing_rad);
+  }
+  Take(sighting, now_, &guide_);
   if (fits) ++here_.fits;
-  if (round_.supposed && fits) {
-    round_.supposed = false;
+  if (round_.hypothetical && fits) {
+    round_.hypothetical = false;
     filter_.Forget();
-    filter_.See(seen, age_s);
+    filter_.See(sighting, age_s);
     return Enter(Phase::kLook, "marks in view");
   }
   const bool was = filter_.located();
   const Pose2 before = was ? filter_.X_DN() : Pose2{};
-  filter_.See(seen, age_s);
+  filter_.See(sighting, age_s);
+  if (fits && filter_.agrees()) ++here_.agreed;
   const Phase phase = here_.phase;
   if (!was || (phase != Phase::kTurn && phase != Phase::kLeg && phase != Phase::kFace)) return;
   const Pose2 change = Inverse(before) * filter_.X_DN();
@@ -113,9 +123,9 @@ void Pilot::TakeImage(const PyramidSeen& seen, double age_s) {
   }
 }
 
-Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double age_s) {
+Commands Pilot::Step(const SensorFrame& sensed, const PyramidSighting* sighting, double age_s) {
   ReadDrives(sensed);
-  if (seen != nullptr && Looks()) TakeImage(*seen, age_s);
+  if (sighting != nullptr && Looks()) TakeImage(*sighting, age_s);
   kept_.twist = Act();
   Commands commands = BrakedCommands();
   if (Moves(kept_.twist)) {
@@ -133,7 +143,7 @@ Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double 
   belief_.phase = Name(here_.phase);
   belief_.values[0].value = static_cast<double>(here_.phase);
   belief_.values[3].value = tries_.passes;
-  Believe(filter_, &belief_);
+  Believe(filter_, !round_.hypothetical && SureOfAngle(filter_, options_), &belief_);
   KeepLimits(nominal_.motors, &commands);
   return commands;
 }
@@ -155,7 +165,8 @@ Twist Pilot::Act() {
 bool Pilot::Looks() const {
   const bool blind =
       here_.phase == Phase::kApproach && filter_.located() && filter_.range_m() <= options_.blind_m;
-  return TakesImages(here_.phase) && !blind;
+  // The likelier of two poses may change with each image; the leg across belongs to one of them.
+  return TakesImages(here_.phase) && !blind && !tries_.crossing;
 }
 
 }  // namespace dockyard::raposa

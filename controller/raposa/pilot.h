@@ -18,17 +18,21 @@
 
 namespace dockyard::raposa {
 
+/// What is known before the next image.
+struct ImageHints {
+  double pitch_rad = 0.0;             // of the camera, down positive
+  std::optional<PyramidPrior> prior;  // what it should show, if anything is known
+  std::vector<RefutedThing> refuted;  // things that were taken for the guide and are not
+};
+
 class Pilot {
  public:
   Pilot(const Nominal& nominal, const DockyardOptions& options);
 
   /// @param seen   what was found in the frame's image; null: no image
   /// @param age_s  of its exposure
-  Commands Step(const SensorFrame& sensed, const PyramidSeen* seen, double age_s);
-  /// What the next image should show, if anything is known.
-  std::optional<PyramidPrior> Prior() const;
-  /// Of the camera, down positive.
-  double pitch_rad() const;
+  Commands Step(const SensorFrame& sensed, const PyramidSighting* sighting, double age_s);
+  ImageHints Hints() const;
   const Belief& belief() const { return belief_; }
   Phase phase() const { return here_.phase; }
   const PyramidFilter& filter() const { return filter_; }
@@ -39,14 +43,18 @@ class Pilot {
     Phase phase = Phase::kLook;
     Tick entered = 0;
     double driven_m = 0.0, turned_aside_rad = 0.0;
-    int fits = 0;          // images with a pose
+    int fits = 0;          // images with a pose ...
+    int agreed = 0;        // ... that is the believed one
     bool glanced = false;  // to the first side
     double For(Tick now) const { return kTickSeconds * static_cast<double>(now - entered); }
   };
   /// What was tried already.
   struct Tries {
     int passes = 0, backs = 0, nudges = 0, attempts = 0;
+    int acrosses = 0;
     bool low = false;           // it leaned back to find a low guide
+    bool crossing = false;      // it drives across the line of sight
+    bool all_refuted = false;   // it has been all round, and every thing was refuted
     double searched_rad = 0.0;  // since the last plan to the axis
   };
   /// Commands that stay until they are changed.
@@ -55,17 +63,17 @@ class Pilot {
     bool lamps = false;
     Twist twist{};
   };
-  /// On its way round a guide without marks.
+  /// Round a guide without marks.
   struct Round {
-    double side = 0.0;           // left 1, right -1
-    bool other_side = false;     // it has changed the side
-    bool supposed = false;       // no image shows where the pyramid is
-    double glance_side = 0.0;    // where it puts the guide in the view: left 1, right -1
-    double away_from_rad = 0.0;  // still to turn from such a guide
+    double side = 0.0;          // left 1, right -1
+    bool other_side = false;    // it has changed the side
+    bool hypothetical = false;  // no image shows where the pyramid is
+    double skip_rad = 0.0;      // still to turn from a thing that was not there
+    double glance_side = 0.0;   // where it puts the guide in the view: left 1, right -1
   };
 
   void ReadDrives(const SensorFrame& sensed);
-  void TakeImage(const PyramidSeen& seen, double age_s);
+  void TakeImage(const PyramidSighting& sighting, double age_s);
   Twist Act();
   Twist Look();
   Twist Search();
@@ -84,6 +92,7 @@ class Pilot {
   Twist TurnToAside();
   void Decide();
   void BeginLeg();
+  void Refute(const std::string& why);
   void GoRound();
   void TryAgain(const std::string& why);
   void Enter(Phase phase, const std::string& note);
@@ -96,6 +105,7 @@ class Pilot {
   GuideTrack guide_;
   DoorFeel doors_;
   WideningSearch search_;
+  RefutedPlaces refuted_;
   Tick now_ = 0;
   double turned_rad_ = 0.0;  // by the belts, since the last call
   Here here_;

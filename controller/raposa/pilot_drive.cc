@@ -52,6 +52,18 @@ void Pilot::Decide() {
     Enter(Phase::kCreep, "the angle is not sure");
     return;
   }
+  if (!filter_.one_angle() && tries_.acrosses < options_.acrosses &&
+      filter_.range_m() > options_.turn_room_m) {
+    ++tries_.acrosses;
+    tries_.crossing = true;
+    legs_ = {AcrossSight(filter_.X_DN(), options_.across_m, options_)};
+    BeginLeg();
+    belief_.note = "across the line of sight: two poses are likely";
+    return;
+  }
+  search_.End();
+  tries_.acrosses = 0;
+  tries_.all_refuted = false;
   tries_.backs = 0;
   round_.side = 0.0;
   round_.other_side = false;
@@ -107,7 +119,7 @@ Twist Pilot::Turn() {
   const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
   const Eigen::Vector2d start = leg.p_D_end - leg.length_m * along;
   const Pose2 X_DN = filter_.X_DN();
-  // The way from where the robot stands after its turn; the turning centre moves a little.
+  // From where the robot is after its turn; the turning centre moves a little.
   const Eigen::Vector2d at(X_DN.x, X_DN.y);
   const double length_m = (leg.p_D_end - at).dot(along);
   follower_.emplace(Pose2{start.x(), start.y(), leg.heading_rad},

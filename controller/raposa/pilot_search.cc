@@ -32,17 +32,28 @@ Twist Pilot::TurnToAside() {
 
 Twist Pilot::Look() {
   kept_.lamps = tries_.low || (filter_.located() && filter_.range_m() < options_.lamps_m);
-  if (filter_.located() && here_.fits >= options_.looks) {
-    const double sigma = std::sqrt(filter_.covariance()(2, 2));
-    if (sigma < options_.sure_heading_rad || here_.For(now_) > options_.patience_s) {
+  if (HasNoSquare(guide_, options_.agreeing_images) && !tries_.all_refuted) {
+    Refute("no square by this guide");
+    return {};
+  }
+  if (filter_.located() && here_.agreed >= options_.agreeing_images) {
+    if (SureOfAngle(filter_, options_) || !filter_.one_angle() ||
+        here_.For(now_) >= options_.patience_s) {
       Decide();
       return {};
     }
   }
   const Twist aside = TurnToAside();
   if (aside.turn_rad_s != 0.0) return aside;
-  // A guide this low is cut by the view's edge, or lies below it.
-  const bool low = !guide_.now || guide_.now->clipped;
+  // One image of a search showed a thing that the next ones do not.
+  if (search_.begun() && !guide_.now && here_.fits == 0 && here_.For(now_) > options_.glance_s) {
+    round_.skip_rad = nominal_.half_view_rad;
+    Enter(Phase::kSearch, "nothing is there");
+    return {};
+  }
+  // A guide this low is cut by the view's edge, or lies below it: only a near one.
+  const bool near = !guide_.last || guide_.last->range_m < options_.low_within_m;
+  const bool low = near && (!guide_.now || guide_.now->clipped);
   if (here_.For(now_) > options_.glance_s && here_.fits == 0 && low && kept_.arm_rad == 0.0 &&
       !tries_.low) {
     kept_.arm_rad = options_.look_low_rad;
@@ -54,7 +65,12 @@ Twist Pilot::Look() {
   const bool first = guide_.detected == 0;
   if (here_.For(now_) < (first ? options_.first_patience_s : options_.patience_s)) return {};
   tries_.low = false;
-  if (first || UnseenFor(guide_, now_) > options_.lost_s) {
+  const bool believed_here = filter_.located() && !round_.hypothetical && !guide_.now &&
+                             std::abs(filter_.bearing_rad()) < options_.glance_rad &&
+                             filter_.range_m() > options_.believed_from_m &&
+                             filter_.range_m() < options_.far_m;
+  if (believed_here) filter_.Forget();
+  if (first || !guide_.last || UnseenFor(guide_, now_) > options_.lost_s) {
     kept_.arm_rad = 0.0;
     if (MayBeAhead(guide_, options_)) {
       Enter(Phase::kCreep, "on towards a far guide");
@@ -71,17 +87,29 @@ Twist Pilot::Look() {
     tries_.backs = 0;
     round_.side = 0.0;
     filter_.Forget();
-    tries_.attempts +=
-        options_.attempts / 2;  // seen from all round: of two such guides it gives up
-    round_.away_from_rad = 2.0 * nominal_.half_view_rad;
-    Enter(Phase::kSearch, "this guide never shows marks");
+    ++tries_.attempts;
+    Refute("this guide never shows marks");
   }
   return {};
 }
 
+/// The guide in view is none: it is not searched again until all else has been.
+void Pilot::Refute(const std::string& why) {
+  const GuideSighting& guide = *guide_.last;
+  refuted_.Add({guide.bearing_rad, guide.range_m,
+                options_.refuted_m + options_.refuted_share * guide.range_m});
+  guide_ = AfterRefuting(guide_, options_);
+  filter_.Forget();
+  kept_.arm_rad = 0.0;
+  Enter(Phase::kLook, why);
+}
+
 Twist Pilot::Search() {
-  round_.away_from_rad = std::max(0.0, round_.away_from_rad - std::abs(turned_rad_));
-  if (guide_.now && round_.away_from_rad == 0.0) {
+  round_.skip_rad = std::max(0.0, round_.skip_rad - std::abs(turned_rad_));
+  // A thing that the view's edge cuts comes into view, or has been there.
+  const bool whole =
+      guide_.now && (!guide_.now->clipped || guide_.now->range_m < options_.low_within_m);
+  if (whole && round_.skip_rad == 0.0) {
     Enter(Phase::kLook, "guide in view");
     return {};
   }
@@ -99,6 +127,11 @@ Twist Pilot::Search() {
     GoRound();
     return {};
   }
+  if (tries_.searched_rad > kAllRound_rad && !refuted_.empty() && !tries_.all_refuted) {
+    // One of them is the pyramid after all, seen from behind.
+    tries_.all_refuted = true;
+    refuted_.Clear();
+  }
   if (tries_.searched_rad > options_.most_search_rad || tries_.attempts >= options_.attempts) {
     Enter(Phase::kGivenUp, "no pyramid in three turns");
     return {};
@@ -115,9 +148,10 @@ Twist Pilot::Creep() {
   const double turn_rad_s =
       std::clamp(kCreepGain_per_s * guide_.bearing_rad, -kCreepTurn_rad_s, kCreepTurn_rad_s);
   if (!guide_.now) return {options_.creep_m_s, turn_rad_s};
-  const bool sure = filter_.located() && here_.fits >= options_.looks &&
-                    std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;
-  if (sure || guide_.now->range_m < options_.creep_to_m) {
+  const bool sure = here_.agreed >= options_.agreeing_images && !round_.hypothetical &&
+                    SureOfAngle(filter_, options_);
+  const bool bare = HasNoSquare(guide_, options_.agreeing_images) && !tries_.all_refuted;
+  if (sure || bare || guide_.now->range_m < options_.creep_to_m) {
     Enter(Phase::kLook, "near enough");
     return {};
   }
@@ -125,8 +159,9 @@ Twist Pilot::Creep() {
 }
 
 Twist Pilot::Glance() {
-  if (here_.fits > 0 || UnseenFor(guide_, now_) > options_.lost_s) {
-    Enter(Phase::kLook, here_.fits > 0 ? "marks beside the guide" : "lost the guide");
+  const bool bare = HasNoSquare(guide_, options_.agreeing_images) && !tries_.all_refuted;
+  if (here_.fits > 0 || bare || UnseenFor(guide_, now_) > options_.lost_s) {
+    Enter(Phase::kLook, here_.fits > 0 ? "marks next to the guide" : "no square by this guide");
     return {};
   }
   const double left = guide_.last->bearing_rad - round_.glance_side * options_.glance_rad;
@@ -152,8 +187,9 @@ Twist Pilot::Glance() {
 /// robot comes to the front in the end.
 void Pilot::GoRound() {
   if (round_.side == 0.0) round_.side = guide_.sides < 0.0 ? -1.0 : 1.0;
-  filter_.Suppose(*guide_.last, round_.side * options_.round_rad);
-  round_.supposed = true;
+  search_.End();
+  filter_.Hypothesise(*guide_.last, round_.side * options_.round_rad);
+  round_.hypothetical = true;
   legs_ = PlanToGate(filter_.X_DN(), nominal_, options_).legs;
   BeginLeg();
   belief_.note = "goes round a guide without marks";

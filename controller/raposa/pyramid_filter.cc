@@ -38,8 +38,11 @@ constexpr double kArmPart_m = 0.02;              // of the arm's way: one press
 // A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
 // metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
 constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
-constexpr double kSupposed_rad = Radians(30.0);  // of an angle that no picture told
-constexpr double kGuideGate = 14.0;              // one in 1100 of 2 degrees of freedom
+constexpr double kHypothesis_rad = Radians(30.0);  // of an angle that no picture told
+// So far behind in log-likelihood a pose is refuted; less far, and its angle so different, it is a
+// rival. Assumed, 4-9 and 10-20 deg.
+constexpr double kRefuted = 6.0, kOtherAngle_rad = Radians(15.0);
+constexpr double kGuideGate = 14.0;  // one in 1100 of 2 degrees of freedom
 
 /// Wraps the angles of a residual: rows that are headings or bearings.
 void WrapRow(double& value) { value = WrapPi(value); }
@@ -207,14 +210,14 @@ Pose2 PyramidFilter::PlacedBy(const PyramidFit& fit, double age_s) const {
   return {at(kX), at(kY), at(kHeading)};
 }
 
-void PyramidFilter::Suppose(const GuideSeen& guide, double alpha_rad) {
+void PyramidFilter::Hypothesise(const GuideSighting& guide, double alpha_rad) {
   const Pose2 X_DV{guide.range_m * std::cos(alpha_rad), guide.range_m * std::sin(alpha_rad),
                    WrapPi(alpha_rad + kPi - guide.bearing_rad)};
   PyramidFit fit;
   fit.X_VD = Inverse(X_DV);
   const double aside_m = guide.range_m * guide.bearing_sigma_rad;
   fit.covariance =
-      Eigen::Vector3d(guide.range_sigma_m, aside_m, kSupposed_rad).cwiseAbs2().asDiagonal();
+      Eigen::Vector3d(guide.range_sigma_m, aside_m, kHypothesis_rad).cwiseAbs2().asDiagonal();
   kept_ = {Born(fit, 0.0)};
 }
 
@@ -231,16 +234,16 @@ void PyramidFilter::Doubt(Kept* kept) const {
   kept->P = growth.asDiagonal() * kept->P * growth.asDiagonal();
 }
 
-void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
-  const double best = seen.fits.front().misfit;
-  std::vector<bool> matched(seen.fits.size(), false);
+void PyramidFilter::SeeFits(const PyramidSighting& sighting, double age_s) {
+  const double best = sighting.fits.front().misfit;
+  std::vector<bool> matched(sighting.fits.size(), false);
   const auto model = [&](const State& state) { return Foretold(state, age_s); };
   for (Kept& kept : kept_) {
     std::size_t nearest = 0;
     Kept updated;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < seen.fits.size(); ++i) {
-      const PyramidFit& fit = seen.fits[i];
+    for (std::size_t i = 0; i < sighting.fits.size(); ++i) {
+      const PyramidFit& fit = sighting.fits[i];
       Kept trial = kept;
       const double distance2 =
           Update<3>(trial, Eigen::Vector3d(fit.X_VD.x, fit.X_VD.y, fit.X_VD.heading),
@@ -258,20 +261,22 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
     }
     matched[nearest] = true;
     kept = updated;
+    kept.agrees = true;
   }
-  const double top = kept_.empty() ? 0.0 : kept_.front().score;
-  for (std::size_t i = 0; i < seen.fits.size(); ++i) {
-    const Eigen::Matrix3d& covariance = seen.fits[i].covariance;
+  // All poses of the first image are as likely as they fit it.
+  const double start = kept_.empty() ? 0.0 : kept_.front().score - kBornBehind;
+  for (std::size_t i = 0; i < sighting.fits.size(); ++i) {
+    const Eigen::Matrix3d& covariance = sighting.fits[i].covariance;
     if (matched[i] || !covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0.0))
       continue;
-    Kept born = Born(seen.fits[i], age_s);
-    born.score = top - (kept_.empty() ? 0.0 : kBornBehind) -
-                 kMisfitWeight * std::min(seen.fits[i].misfit - best, 2.0);
-    kept_.push_back(born);
+    Kept fresh = Born(sighting.fits[i], age_s);
+    fresh.score = start - kMisfitWeight * std::min(sighting.fits[i].misfit - best, 2.0);
+    fresh.agrees = true;
+    kept_.push_back(fresh);
   }
 }
 
-void PyramidFilter::SeeGuide(const GuideSeen& guide, double age_s) {
+void PyramidFilter::SeeGuide(const GuideSighting& guide, double age_s) {
   const auto model = [&](const State& state) {
     const Pose2 X_VD = Inverse(CameraIn(state, age_s));
     return Eigen::Vector2d((1.0 + state(kScale)) * std::hypot(X_VD.x, X_VD.y),
@@ -287,11 +292,12 @@ void PyramidFilter::SeeGuide(const GuideSeen& guide, double age_s) {
   }
 }
 
-void PyramidFilter::See(const PyramidSeen& seen, double age_s) {
-  if (!seen.fits.empty()) {
-    SeeFits(seen, age_s);
-  } else if (seen.guide && !seen.guide->clipped) {
-    SeeGuide(*seen.guide, age_s);
+void PyramidFilter::See(const PyramidSighting& sighting, double age_s) {
+  for (Kept& kept : kept_) kept.agrees = false;
+  if (!sighting.fits.empty()) {
+    SeeFits(sighting, age_s);
+  } else if (sighting.guide && !sighting.guide->clipped) {
+    SeeGuide(*sighting.guide, age_s);
   }
   Order();
 }
@@ -324,6 +330,19 @@ void PyramidFilter::Order() {
 Pose2 PyramidFilter::X_DN() const {
   const State& mean = kept_.front().mean;
   return {mean(kX), mean(kY), mean(kHeading)};
+}
+
+bool PyramidFilter::one_angle() const {
+  const Kept& first = kept_.front();
+  return std::none_of(kept_.begin() + 1, kept_.end(), [&](const Kept& other) {
+    return other.score > first.score - kRefuted &&
+           std::abs(WrapPi(other.mean(kHeading) - first.mean(kHeading))) > kOtherAngle_rad;
+  });
+}
+
+bool SureOfAngle(const PyramidFilter& filter, const DockyardOptions& options) {
+  return filter.located() && filter.one_angle() &&
+         std::sqrt(filter.covariance()(2, 2)) < options.sure_heading_rad;
 }
 
 Eigen::Matrix3d PyramidFilter::covariance() const { return kept_.front().P.topLeftCorner<3, 3>(); }

@@ -2,7 +2,7 @@
 // not tell (gauge, turning centre, errors of the belts' readings, scale of the pictures' ranges) as
 // states.
 //
-// Frame N: the robot's origin, turned half round: x out of the back. D, V: pyramid_eye.h.
+// Frame N: the robot's origin, turned half round: x out of the back. D, V: pyramid_finder.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "controller/raposa/dockyard_options.h"
-#include "controller/raposa/pyramid_eye.h"
+#include "controller/raposa/pyramid_finder.h"
 
 namespace dockyard::raposa {
 
@@ -31,14 +31,19 @@ class PyramidFilter {
 
   void Drive(const BeltSteps& steps);
   /// @param age_s  of the picture's exposure, before the last Drive's end
-  void See(const PyramidSeen& seen, double age_s);
-  /// The pyramid may stand elsewhere now. What was learned of belts and pictures stays.
+  void See(const PyramidSighting& sighting, double age_s);
+  /// The pyramid may be elsewhere now. The lessons of belts and images stay.
   void Forget() { kept_.clear(); }
   /// Takes the camera to be at this angle about the axis of a guide that shows no marks, so that
   /// belts lead round it. 1 sigma of 30 deg.
-  void Suppose(const GuideSeen& guide, double alpha_rad);
+  void Hypothesise(const GuideSighting& guide, double alpha_rad);
 
   bool located() const { return !kept_.empty(); }
+  /// Whether the last image has a pose that agrees with the likeliest one.
+  bool agrees() const { return !kept_.empty() && kept_.front().agrees; }
+  /// Whether no other angle is almost as likely, such as that of the mirrored pose; located() must
+  /// hold.
+  bool one_angle() const;
   /// Of the likeliest; located() must hold.
   Pose2 X_DN() const;
   Eigen::Matrix3d covariance() const;  // of X_DN's x, y [m] and heading [rad]
@@ -61,6 +66,7 @@ class PyramidFilter {
     State mean = State::Zero();
     StateMatrix P = StateMatrix::Zero();
     double score = 0.0;
+    bool agrees = false;  // with the last image
   };
 
   State Moved(const State& state, const BeltSteps& steps, double share) const;
@@ -71,8 +77,8 @@ class PyramidFilter {
   double Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& measured,
                 const Eigen::Matrix<double, Rows, Rows>& R, const Model& model, double gate) const;
   void Doubt(Kept* kept) const;
-  void SeeFits(const PyramidSeen& seen, double age_s);
-  void SeeGuide(const GuideSeen& guide, double age_s);
+  void SeeFits(const PyramidSighting& sighting, double age_s);
+  void SeeGuide(const GuideSighting& guide, double age_s);
   void Order();
 
   Nominal nominal_;
@@ -82,5 +88,8 @@ class PyramidFilter {
   Kept learned_;                  // gauge, centre, biases and scale, as last known
   std::deque<BeltSteps> recent_;  // newest first
 };
+
+/// Whether one angle is likely alone, and to a sigma of sure_heading_rad.
+bool SureOfAngle(const PyramidFilter& filter, const DockyardOptions& options);
 
 }  // namespace dockyard::raposa

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/raposa/mark_borders.h"
+
 namespace dockyard::raposa {
 namespace {
 
@@ -12,9 +14,12 @@ using Matrix6 = Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns>;
 
 // Of the covariance, above that of independent cells: shading and the coding of colours err alike
 // in neighbours. From raposa_eye_survey, where chi2 of the poses was 2.5 to 6 a value; 3-6.
-constexpr double kCorrelated = 4.0;
-constexpr float kOfMarks = 0.02f;     // a cell of which marks fill so much counts for the misfit
-constexpr float kOtherColour = 4.0f;  // so does one that is so many sigmas off the ground
+constexpr double kCorrelated = 6.0;
+// Of CostOf: far from the place more cells are off, by less. Assumed, 6-15.
+constexpr float kGridOtherThing = 10.0f;
+// Steps in which cells of other things still draw the marks, by their distance and not by its
+// square; then those outside of the marks no more. Assumed, 2-6.
+constexpr int kDrawingSteps = 4;
 
 /// Steps for the derivatives: some 0.05 px each.
 PlaceVector Steps(const PyramidPlace& place) {
@@ -37,18 +42,42 @@ std::optional<MarksInImage> Project(const Nominal& nominal, const PyramidPlace& 
   return drawn == MarksDrawn::kAll ? ProjectMarks(nominal, place) : ProjectGuide(nominal, place);
 }
 
+/// Weights before any colour is known: cells that differ from the ground, where no mark lies, are
+/// of other things.
+std::vector<float> FirstWeights(const FitWindow& window, const LayerImage& layers) {
+  std::vector<float> weights = window.open;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const float off2 = window.seen[k].squaredNorm();
+    if (off2 > kOtherThing * kOtherThing && MarksIn(layers, k) < kOfMarks)
+      weights[k] *= kOtherThing * kOtherThing / off2;
+  }
+  return weights;
+}
+
 /// The colours at a place, weighted by themselves.
 struct Point {
   ColourFit colours;
   std::vector<float> weights;
   SlopePriors slopes;
+  double cost = 0.0;  // of cells that count no more than as another thing
 };
-Point PointAt(const FitWindow& window, const LayerImage& layers) {
+Point PointAt(const FitWindow& window, const LayerImage& layers, bool drawing) {
   Point point;
-  point.colours = FitColours(window, layers, window.open, AnySlopes(window));
-  point.weights = WeightsFor(window, layers, point.colours.colours);
+  point.colours = FitColours(window, layers, FirstWeights(window, layers), AnySlopes(window));
   point.slopes = SlopesFor(window, point.colours.colours);
-  point.colours = FitColours(window, layers, point.weights, point.slopes);
+  for (int round = 0; round < 2; ++round) {
+    point.weights = WeightsFor(window, layers, point.colours.colours);
+    point.cost = 0.0;
+    for (std::size_t k = 0; k < window.size(); ++k) {
+      const float off2 =
+          point.weights[k] * Residual(window, layers, point.colours.colours, k).squaredNorm();
+      point.cost += std::min(off2, kOtherThing * kOtherThing);
+      if (off2 <= kOtherThing * kOtherThing) continue;
+      const bool thing = !drawing && MarksIn(layers, k) < kOfMarks;
+      point.weights[k] *= thing ? 0.0f : kOtherThing / std::sqrt(off2);
+    }
+    point.colours = FitColours(window, layers, point.weights, point.slopes);
+  }
   return point;
 }
 
@@ -119,17 +148,23 @@ std::optional<Linear> Linearise(const Nominal& nominal, const FitWindow& window,
 
 void Describe(const FitWindow& window, const LayerImage& layers, const Point& point,
               PlaceFit* fit) {
+  const std::vector<float> weights = WeightsFor(window, layers, point.colours.colours);
   double sum = 0.0, blue = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < window.size(); ++k) {
     if (window.open[k] == 0.0f) continue;
-    const float o = layers.Shares(kOrangeLayer)[k], b = layers.Shares(kBlueLayer)[k];
-    blue += b;
-    const float marks = o + b + layers.Shares(kFaces)[k] + layers.Shares(kBoxes)[k];
-    if (marks < kOfMarks && window.seen[k].norm() < kOtherColour) continue;
-    sum += point.weights[k] * Residual(window, layers, point.colours.colours, k).squaredNorm();
+    blue += layers.Shares(kBlueLayer)[k];
+    if (MarksIn(layers, k) < kOfMarks) continue;
+    sum += std::min(weights[k] * Residual(window, layers, point.colours.colours, k).squaredNorm(),
+                    kOtherThing * kOtherThing);
     ++count;
   }
+  const auto border = [&](Layer mark) {
+    return MarkBorder{ShareBeyond(window, layers, point.colours.colours, mark),
+                      ShareOfOthers(window, layers, point.colours.colours, weights, mark)};
+  };
+  fit->orange_border = border(kOrangeLayer);
+  fit->blue_border = border(kBlueLayer);
   fit->misfit = count > 0 ? sum / (2.0 * count) : 0.0;
   fit->blue_px2 = window.unit_px * window.across_px() * blue;
   const Eigen::Matrix2d plain = window.whiten.cast<double>().inverse();
@@ -162,8 +197,14 @@ std::optional<double> CostOf(const Nominal& nominal, const FitWindow& window,
   if (!marks) return std::nullopt;
   LayerImage layers(window);
   layers.Draw(*marks);
-  return FitColours(window, layers, window.open, AnySlopes(window)).chi2 +
-         PriorCost(ToVector(place), prior);
+  const std::vector<float> weights = FirstWeights(window, layers);
+  const ColourFit fit = FitColours(window, layers, weights, AnySlopes(window));
+  double cost = 0.0;
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    cost += std::min(window.open[k] * Residual(window, layers, fit.colours, k).squaredNorm(),
+                     kGridOtherThing * kGridOtherThing);
+  }
+  return cost + PriorCost(ToVector(place), prior);
 }
 
 std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window,
@@ -174,7 +215,7 @@ std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window
   PlaceVector at = ToVector(start);
   LayerImage layers(window), tried(window);
   layers.Draw(*first);
-  Point point = PointAt(window, layers);
+  Point point = PointAt(window, layers, true);
   double damping = 1e-3;
   std::optional<Linear> linear;
   for (int step = 0; step < most_steps; ++step) {
@@ -203,17 +244,18 @@ std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window
       }
       damping = std::max(1e-3, 10.0 * damping);
     }
-    if (!better) break;
-    point = PointAt(window, layers);
-    if (gain < 0.02) break;
+    if (!better && step >= kDrawingSteps) break;
+    point = PointAt(window, layers, step + 1 < kDrawingSteps);
+    if (gain < 0.02 && step >= kDrawingSteps) break;
   }
+  point = PointAt(window, layers, false);
   linear = Linearise(nominal, window, layers, point, at, prior, drawn);
   if (!linear) return std::nullopt;
   PlaceFit fit;
   fit.place = ToPlace(at);
   fit.place.X_VD.heading = WrapPi(fit.place.X_VD.heading);
   fit.covariance = linear->normal.inverse();
-  fit.chi2 = point.colours.chi2 + PriorCost(at, prior);
+  fit.chi2 = point.cost + PriorCost(at, prior);
   Describe(window, layers, point, &fit);
   fit.covariance *= kCorrelated * std::max(1.0, fit.misfit);
   return fit;

@@ -21,16 +21,22 @@ struct PlacePrior {
   PlaceVector sigma = PlaceVector::Constant(1e3);
 };
 
+/// Of a mark (mark_borders.h): shares with its colour beyond its edges, and of other things within.
+struct MarkBorder {
+  double beyond = 0.0, others = 0.0;
+};
+
 struct PlaceFit {
   PyramidPlace place;
   Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns> covariance =
       Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns>::Zero();
   double chi2 = 0.0;
-  double misfit =
-      0.0;  // mean square of what is left of the cells of the marks and of other colours
+  // Mean square of what is left of the marks' cells, none of which counts above another thing.
+  double misfit = 0.0;
   Eigen::Vector2d orange{0, 0}, blue{0, 0};       // the two values of FitWindow
   double orange_sigmas = 0.0, blue_sigmas = 0.0;  // of those from 0
   double blue_px2 = 0.0;                          // of it in the open part of the window
+  MarkBorder orange_border, blue_border;
 };
 
 enum class MarksDrawn { kGuide, kAll };

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "controller/raposa/mark_criteria.h"
+
 namespace dockyard::raposa {
 namespace {
 
@@ -11,30 +13,10 @@ constexpr double kPitchSigma = Radians(2.0);  // of the camera against its told 
 constexpr double kRollSigma = Radians(1.5);   // ground under robot and pyramid; assumed, 1-3 deg
 constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed, 5-15 mm
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
-constexpr double kMostAlpha =
-    Radians(122.0);  // the strips are out of sight from 117 deg, as their faces rise by 17
-constexpr double kMostRange_m = 6.0;              // the marks are then a pixel or two; assumed, 5-7
-constexpr int kGridCells = 250, kFitCells = 700;  // of a window
-constexpr double kMargin_px = 7.0;                // of a window about the marks; assumed, 5-10
+constexpr int kGridCells = 250, kFitCells = 1000;   // of a window
+constexpr double kMargin_px = 7.0;                  // of a window about the marks; assumed, 5-10
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
 constexpr double kAreaRangeSigma = 0.3;
-// A fit with more is none. Its mean is 1, in shadows more; without a place where the pyramid is
-// believed, other things of like colours are more likely than shadows. A guide alone has its
-// pyramid unexplained. Assumed, 3-6, 2-4 and 10-20.
-constexpr double kMostMisfit = 4.0, kMostFreeMisfit = 3.0, kMostGuideMisfit = 15.0;
-// Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
-constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigmas = 7.0;
-// |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
-// 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; five times that where one lies in shade.
-constexpr double kLeastBlueShare = 0.036, kMostBlueShare = 3.0;
-// The second value of orange over its first, the first of blue over its second: from
-// raposa_eye_survey, -0.7 to 0 and -0.9 to 0.3. Assumed, that widened by 0.15-0.4.
-constexpr double kLeastOrangeHue = -1.0, kMostOrangeHue = 0.2;
-constexpr double kLeastBlueHue = -1.2, kMostBlueHue = 0.5;
-// Of orange in the values of FitWindow; from the same survey, 0.36 at least. Assumed, 0.2-0.35.
-constexpr double kLeastOrange = 0.25;
-// Of pitch, roll and height from what is told: one in 100 of 3 degrees of freedom.
-constexpr double kMostPriorChi2 = 11.3;
 // Of a second pose's chi2 above the best one's, by the misfit: three sigmas.
 constexpr double kRivalChi2 = 9.0;
 
@@ -70,6 +52,13 @@ PlacePrior PriorFor(const Nominal& nominal, double pitch_rad, double r_m) {
   return prior;
 }
 
+/// A guide alone tells no roll, and nothing of where its axis leads.
+PlacePrior AlonePrior(const Nominal& nominal, double pitch_rad, double r_m) {
+  PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
+  prior.sigma[2] = prior.sigma[5] = 0.0;
+  return prior;
+}
+
 void Widen(const ConvexPolygon& polygon, PixelRect* rect) {
   for (int i = 0; i < polygon.count; ++i) {
     const Eigen::Vector2d& p = polygon.corners[static_cast<std::size_t>(i)];
@@ -93,10 +82,10 @@ PixelRect RectOf(const Nominal& nominal, const TintMap& map,
     for (const ConvexPolygon& box : marks->boxes) Widen(box, &rect);
   }
   const Eigen::Vector2d c = map.middle_px;
-  return {std::max(rect.left - kMargin_px, c.x() - map.hole_px),
-          std::max(rect.top - kMargin_px, c.y() - map.hole_px),
-          std::min(rect.right + kMargin_px, c.x() + map.hole_px),
-          std::min(rect.bottom + kMargin_px, c.y() + map.hole_px)};
+  return {std::max(rect.left - kMargin_px * map.finer, c.x() - map.hole_px),
+          std::max(rect.top - kMargin_px * map.finer, c.y() - map.hole_px),
+          std::min(rect.right + kMargin_px * map.finer, c.x() + map.hole_px),
+          std::min(rect.bottom + kMargin_px * map.finer, c.y() + map.hole_px)};
 }
 
 /// The lowest row at which a horizon may be: above the square.
@@ -147,40 +136,6 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
   return starts;
 }
 
-bool Between(double low, double value, double high) { return low < value && value < high; }
-
-/// Whether two paints in one light can be those of the marks.
-bool ColoursOfMarks(const Eigen::Vector2d& orange, const Eigen::Vector2d& blue) {
-  const double share = blue.norm() / orange.norm();
-  return orange.x() > 0.0 && orange.norm() > kLeastOrange && blue.y() > 0.0 &&
-         Between(kLeastBlueShare, share, kMostBlueShare) &&
-         Between(kLeastOrangeHue, orange.y() / orange.x(), kMostOrangeHue) &&
-         Between(kLeastBlueHue, blue.x() / blue.y(), kMostBlueHue);
-}
-
-/// Whether it lies on the ground that the robot stands on, within what prior allows.
-bool LiesAsTold(const PyramidPlace& place, const PlacePrior& prior) {
-  const PlaceVector at = ToVector(place);
-  double chi2 = 0.0;
-  for (const Eigen::Index i : {3, 4, 5}) {
-    chi2 += std::pow((at[i] - prior.mean[i]) / prior.sigma[i], 2);
-  }
-  return chi2 < kMostPriorChi2;
-}
-
-bool IsPyramid(const PlaceFit& fit, const PlacePrior& prior, double most_misfit) {
-  return ColoursOfMarks(fit.orange, fit.blue) && LiesAsTold(fit.place, prior) &&
-         fit.misfit < most_misfit && fit.blue_sigmas > kLeastBlueSigmas &&
-         fit.orange_sigmas > kLeastOrangeSigmas && fit.blue_px2 > kLeastBlue_px2 &&
-         std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha &&
-         std::hypot(fit.place.X_VD.x, fit.place.X_VD.y) < kMostRange_m;
-}
-
-bool IsGuide(const PlaceFit& fit) {
-  return fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
-         fit.orange_sigmas > kLeastOrangeSigmas && fit.misfit < kMostGuideMisfit;
-}
-
 std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
                                    const GroundColour& ground, const OrangeSpot& spot,
                                    double pitch_rad, double r_m) {
@@ -197,8 +152,7 @@ std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
     for (std::size_t k = 0; k < window->size(); ++k) {
       if (window->blue[k]) window->open[k] = 0.0f;  // nothing here explains it
     }
-    PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
-    prior.sigma[2] = prior.sigma[5] = 0.0;
+    PlacePrior prior = AlonePrior(nominal, pitch_rad, r_m);
     prior.mean[0] = place(0.0).X_VD.x;
     prior.sigma[0] = kAreaRangeSigma * r_m;
     for (const double alpha_rad : {0.0, Radians(70.0), Radians(-70.0)}) {
@@ -216,11 +170,6 @@ double RangeOfArea(const Nominal& nominal, double area_px2) {
   const double radius_m = 0.5 * marks.guide_diameter_m;
   const double area_m2 = kPi * radius_m * radius_m;  // its side's differs by a twentieth
   return nominal.camera.focal_px().x() * std::sqrt(area_m2 / std::max(area_px2, 1.0));
-}
-
-double AlphaOf(const Pose2& X_VD) {
-  const Pose2 X_DV = Inverse(X_VD);
-  return std::atan2(X_DV.y, X_DV.x);
 }
 
 double NominalDown(const Nominal& nominal) {
@@ -257,7 +206,8 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
         likeliest_chi2 = fit->chi2;
         out.likely_alpha_rad = AlphaOf(fit->place.X_VD);
       }
-      if (IsPyramid(*fit, prior, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
+      if (IsPyramid(*fit, prior, start ? Expected::kThere : Expected::kAnywhere))
+        out.poses.push_back(*fit);
     }
   }
   std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);
@@ -275,8 +225,11 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
     return out;
   }
   const auto alone = GuideAlone(nominal, map, *ground, spot, pitch_rad, r_m);
-  if (!alone || !IsGuide(*alone)) return std::nullopt;
+  if (!alone) return std::nullopt;
+  out.off_ground_chi2 = OffTheGround(alone->place, AlonePrior(nominal, pitch_rad, r_m));
+  if (!IsGuide(*alone, out.off_ground_chi2, spot.clipped)) return std::nullopt;
   out.guide = *alone;
+  if (!spot.clipped) out.without_square = AnglesWithoutSquare(nominal, map, alone->place);
   return out;
 }
 

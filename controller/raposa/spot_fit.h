@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "controller/raposa/pyramid_fit.h"
+#include "controller/raposa/square_sought.h"
 
 namespace dockyard::raposa {
 
 /// A spot, explained.
 struct SpotFit {
-  PlaceFit guide;               // by the best that is known of it
-  std::vector<PlaceFit> poses;  // of the whole pyramid; the better one first
-  bool clipped = false;         // the guide reaches the hole's rim
+  PlaceFit guide;                // by the best that is known of it
+  std::vector<PlaceFit> poses;   // of the whole pyramid; the better one first
+  bool clipped = false;          // the guide reaches the hole's rim
+  Angles without_square;         // of a guide alone; no blue where the square would be in view
+  double off_ground_chi2 = 0.0;  // of a guide alone (mark_criteria.h)
   // Without a pose: by which angle the pyramid explains the picture best. Only its sign is told.
   std::optional<double> likely_alpha_rad;
 };
@@ -24,8 +27,6 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
 
 /// Distance at which the guide covers so much of the image.
 double RangeOfArea(const Nominal& nominal, double area_px2);
-/// The camera's place about the guide, counter-clockwise from the guide's axis.
-double AlphaOf(const Pose2& X_VD);
 /// From the camera's height above the belts' ground to the guide's.
 double NominalDown(const Nominal& nominal);
 

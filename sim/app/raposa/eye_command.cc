@@ -44,7 +44,7 @@ Angle AngleOf(const PyramidFit& fit) {
   return {std::atan2(X_DV.y, X_DV.x), std::sqrt(J.dot(fit.covariance * J)), p.norm()};
 }
 
-Json ToJson(const GuideSeen& guide) {
+Json ToJson(const GuideSighting& guide) {
   return {{"centre_px", {guide.centre_px.x(), guide.centre_px.y()}},
           {"bearing_deg", Degrees(guide.bearing_rad)},
           {"bearing_sigma_deg", Degrees(guide.bearing_sigma_rad)},
@@ -56,10 +56,10 @@ Json ToJson(const GuideSeen& guide) {
 
 }  // namespace
 
-void DrawPyramid(const Nominal& nominal, const PyramidSeen& seen, RgbImage& image) {
-  if (!seen.guide) return;
-  if (!seen.fits.empty()) {
-    const PyramidFit& fit = seen.fits.front();
+void DrawPyramid(const Nominal& nominal, const PyramidSighting& sighting, RgbImage& image) {
+  if (!sighting.guide) return;
+  if (!sighting.fits.empty()) {
+    const PyramidFit& fit = sighting.fits.front();
     const auto marks = ProjectMarks(nominal, {fit.X_VD, fit.down_m, fit.pitch_rad, fit.roll_rad});
     if (!marks) return;
     for (const ConvexPolygon& strip : marks->strips) Outline(image, strip, kCyan);
@@ -67,15 +67,16 @@ void DrawPyramid(const Nominal& nominal, const PyramidSeen& seen, RgbImage& imag
     return;
   }
   for (int k = -4; k <= 4; ++k) {
-    Put(image, seen.guide->centre_px.x() + k, seen.guide->centre_px.y(), kYellow);
-    Put(image, seen.guide->centre_px.x(), seen.guide->centre_px.y() + k, kYellow);
+    Put(image, sighting.guide->centre_px.x() + k, sighting.guide->centre_px.y(), kYellow);
+    Put(image, sighting.guide->centre_px.x(), sighting.guide->centre_px.y() + k, kYellow);
   }
 }
 
-void PrintPyramid(const PyramidSeen& seen, bool as_json) {
+void PrintPyramid(const PyramidSighting& sighting, bool as_json) {
   if (as_json) {
-    Json json{{"guide", seen.guide ? ToJson(*seen.guide) : Json()}, {"fits", Json::array()}};
-    for (const PyramidFit& fit : seen.fits) {
+    Json json{{"guide", sighting.guide ? ToJson(*sighting.guide) : Json()},
+              {"fits", Json::array()}};
+    for (const PyramidFit& fit : sighting.fits) {
       const Angle angle = AngleOf(fit);
       json["fits"].push_back({{"x_m", fit.X_VD.x},
                               {"y_m", fit.X_VD.y},
@@ -89,19 +90,19 @@ void PrintPyramid(const PyramidSeen& seen, bool as_json) {
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
-  if (!seen.guide) {
+  if (!sighting.guide) {
     std::printf("no guide\n");
     return;
   }
   std::printf("guide: %.1f deg to the left, %.3f m (sigma %.3f)%s\n",
-              Degrees(seen.guide->bearing_rad), seen.guide->range_m, seen.guide->range_sigma_m,
-              seen.guide->clipped ? "; clipped" : "");
-  for (const PyramidFit& fit : seen.fits) {
+              Degrees(sighting.guide->bearing_rad), sighting.guide->range_m,
+              sighting.guide->range_sigma_m, sighting.guide->clipped ? "; clipped" : "");
+  for (const PyramidFit& fit : sighting.fits) {
     const Angle angle = AngleOf(fit);
     std::printf("pyramid: alpha %.1f deg (sigma %.1f), r %.3f m, misfit %.2f\n",
                 Degrees(angle.alpha_rad), Degrees(angle.sigma_rad), angle.r_m, fit.misfit);
   }
-  if (seen.fits.empty()) std::printf("no blue marks that fit\n");
+  if (sighting.fits.empty()) std::printf("no blue marks that fit\n");
 }
 
 }  // namespace dockyard::raposa

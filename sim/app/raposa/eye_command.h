@@ -1,12 +1,12 @@
 // What `dockyard detect --pipeline dockyard` draws and prints.
 #pragma once
 
-#include "controller/raposa/pyramid_eye.h"
+#include "controller/raposa/pyramid_finder.h"
 
 namespace dockyard::raposa {
 
 /// The outlines of the marks as the best fit has them, or a cross on the guide.
-void DrawPyramid(const Nominal& nominal, const PyramidSeen& seen, RgbImage& image);
-void PrintPyramid(const PyramidSeen& seen, bool as_json);
+void DrawPyramid(const Nominal& nominal, const PyramidSighting& sighting, RgbImage& image);
+void PrintPyramid(const PyramidSighting& sighting, bool as_json);
 
 }  // namespace dockyard::raposa

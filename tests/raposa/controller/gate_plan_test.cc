@@ -80,6 +80,24 @@ TEST(GatePlan, RobotTooNearDrivesAwayWhicheverWayItFaces) {
   }
 }
 
+TEST(GatePlan, LegAcrossKeepsTheRangeAndGoesTowardsTheGate) {
+  const DockyardOptions options;
+  for (const double alpha_deg : {-100.0, -40.0, 20.0, 75.0}) {
+    const double alpha = Radians(alpha_deg);
+    const Eigen::Vector2d at(1.4 * std::cos(alpha), 1.4 * std::sin(alpha));
+    const Pose2 X_DN{at.x(), at.y(), WrapPi(alpha + kPi + 0.1)};
+    const Leg leg = AcrossSight(X_DN, 0.15, options);
+    EXPECT_NEAR((leg.p_D_end - at).norm(), 0.15, 1e-12);
+    EXPECT_NEAR((leg.p_D_end - at).dot(at), 0.0, 1e-12);
+    const Eigen::Vector2d gate(options.gate_m, 0.0);
+    EXPECT_LT((leg.p_D_end - gate).norm(), (at - gate).norm()) << alpha_deg;
+    // No turn beyond a right angle: it may drive backwards.
+    EXPECT_LE(std::abs(WrapPi(leg.heading_rad - X_DN.heading)), kPi / 2 + 1e-12);
+    const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
+    EXPECT_NEAR((at + leg.length_m * along - leg.p_D_end).norm(), 0.0, 1e-12);
+  }
+}
+
 TEST(GatePlan, ConeHoldsTheAxisAndNotItsSides) {
   const Nominal nominal = RobotNominal();
   const DockyardOptions options;

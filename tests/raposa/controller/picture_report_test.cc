@@ -23,10 +23,12 @@ double Blueness(const RgbImage& image, const Mark& mark) {
 TEST(PictureReport, PutsItsMarksWhereThePictureHasTheirColours) {
   const Nominal nominal = TestNominal();
   const Pose2 X_PC = CameraAt(0.8, Radians(35.0));
-  const RgbImage image = Draw(nominal, X_PC, {.camera_up_m = 0.02});
-  const PyramidSeen seen = PyramidEye(nominal).Find(image, 0.0);
-  ASSERT_FALSE(seen.fits.empty());
-  const SightingReport report = ReportOf(seen, Inverse(seen.fits.front().X_VD), nominal);
+  const RgbImage image = Draw(nominal, X_PC, {.camera_up_m = 0.02, .noise = 2.0});
+  const PyramidPrior prior{Inverse(X_PC),
+                           Eigen::Vector3d(1e-2, 1e-2, 1e-1).cwiseAbs2().asDiagonal()};
+  const PyramidSighting sighting = PyramidFinder(nominal).Find(image, 0.0, prior);
+  ASSERT_FALSE(sighting.fits.empty());
+  const SightingReport report = ReportOf(sighting, Inverse(sighting.fits.front().X_VD), nominal);
   EXPECT_TRUE(report.accepted);
   ASSERT_EQ(report.marks.size(), 1u);
   EXPECT_EQ(report.DetectedBy(kBackCamera), 1);
@@ -39,9 +41,9 @@ TEST(PictureReport, OfThePublishedEyeHasTheEllipseAndTheBlue) {
   const Nominal nominal = TestNominal();
   const RgbImage image = Draw(nominal, CameraAt(0.8, Radians(35.0)), {.strip_m = 0.0});
   MarkTracker tracker(nominal);
-  const MarksSeen seen = tracker.Find(image, nominal.ferreira_vision);
-  ASSERT_TRUE(seen.pair);
-  const SightingReport report = ReportOf(seen, CameraAt(0.8, Radians(35.0)));
+  const MarksSeen sighting = tracker.Find(image, nominal.ferreira_vision);
+  ASSERT_TRUE(sighting.pair);
+  const SightingReport report = ReportOf(sighting, CameraAt(0.8, Radians(35.0)));
   EXPECT_TRUE(report.accepted);
   ASSERT_EQ(report.marks.size(), 2u);
   EXPECT_LT(Blueness(image, report.marks[0]), 0.5);
@@ -50,13 +52,13 @@ TEST(PictureReport, OfThePublishedEyeHasTheEllipseAndTheBlue) {
 
 // The robot stands 1 m out on the guide's axis, its back to the guide: the guide is behind it.
 TEST(PictureReport, GivesPoseAndCovarianceInTheRobotsBody) {
-  PyramidSeen seen;
-  seen.guide = GuideSeen{};
+  PyramidSighting sighting;
+  sighting.guide = GuideSighting{};
   PyramidFit fit;
   fit.X_VD = {0.75, 0.0, kPi};  // the camera looks along the axis
   fit.covariance << 4e-4, 0.0, 1e-5, 0.0, 1e-4, 2e-5, 1e-5, 2e-5, 9e-4;
-  seen.fits = {fit};
-  const SightingReport report = ReportOf(seen, {1.0, 0.0, kPi}, TestNominal());
+  sighting.fits = {fit};
+  const SightingReport report = ReportOf(sighting, {1.0, 0.0, kPi}, TestNominal());
   EXPECT_LT((report.X_RB.p - Eigen::Vector3d(-1.0, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_NEAR(ToGround(report.X_RB).heading, 0.0, 1e-12);
   EXPECT_NEAR(report.covariance(0, 0), 4e-4, 1e-15);
@@ -67,9 +69,9 @@ TEST(PictureReport, GivesPoseAndCovarianceInTheRobotsBody) {
 }
 
 TEST(PictureReport, TellsWhyAPictureIsNotTaken) {
-  EXPECT_EQ(ReportOf(PyramidSeen{}, {}, TestNominal()).reason, "no guide");
-  PyramidSeen guide;
-  guide.guide = GuideSeen{};
+  EXPECT_EQ(ReportOf(PyramidSighting{}, {}, TestNominal()).reason, "no guide");
+  PyramidSighting guide;
+  guide.guide = GuideSighting{};
   guide.guide->centre_px = {100.0, 120.0};
   const SightingReport report = ReportOf(guide, {}, TestNominal());
   EXPECT_FALSE(report.accepted);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "controller/raposa/lean.h"
+#include "controller/raposa/refuted_places.h"
 #include "raposa/controller/drawn_marks.h"
 
 namespace dockyard::raposa {
@@ -74,33 +75,39 @@ class PlanarRobot {
     return frame;
   }
 
-  PyramidSeen Look() {
-    PyramidSeen seen;
+  PyramidSighting Detect(const std::vector<RefutedThing>& refuted = {}) {
+    PyramidSighting sighting;
     const Pose2 X_VD = Inverse(exposed_ * Pose2{kCamera_m, 0.0, 0.0}) * Pose2{pushed_m_, 0.0, 0.0};
     const double r = std::hypot(X_VD.x, X_VD.y), bearing = std::atan2(X_VD.y, X_VD.x);
     const Pose2 X_DV = Inverse(X_VD);
     const double off_axis = std::abs(std::atan2(X_DV.y, X_DV.x));
     if (!is_.guide || off_axis > is_.guide_to_rad || std::abs(bearing) > Radians(11.5) ||
         X_VD.x < 0.14 || r > 4.2)
-      return seen;
+      return sighting;
     if (r > 2.2 && is_.sees_far < 1.0 && !std::bernoulli_distribution(is_.sees_far)(random_)) {
-      return seen;
+      return sighting;
+    }
+    for (std::size_t i = 0; i < refuted.size(); ++i) {
+      if (Is(refuted[i], bearing, r)) {
+        sighting.known = {{i, bearing}};
+        return sighting;
+      }
     }
     const auto noise = [&](double sigma) {
       return sigma * std::normal_distribution<double>()(random_);
     };
-    GuideSeen guide;
+    GuideSighting guide;
     guide.bearing_sigma_rad = 0.001;
     guide.range_sigma_m = 0.01 * r + 0.01 * r * r;
     guide.bearing_rad = bearing + noise(guide.bearing_sigma_rad);
     guide.range_m = r + noise(guide.range_sigma_m);
     guide.clipped = std::abs(bearing) > Radians(10.0);
-    seen.guide = guide;
-    if (!is_.marks || r < 0.16 || std::abs(bearing) > Radians(9.0)) return seen;
-    if (off_axis > is_.marks_to_rad) return seen;
+    sighting.guide = guide;
+    if (!is_.marks || r < 0.16 || std::abs(bearing) > Radians(9.0)) return sighting;
+    if (off_axis > is_.marks_to_rad) return sighting;
     // The blue square stands 0.098 m behind the guide: from aside it can be out of the view.
     const Pose2 square = X_VD * Pose2{-0.098, 0.0, 0.0};
-    if (std::abs(std::atan2(square.y, square.x)) > Radians(10.5)) return seen;
+    if (std::abs(std::atan2(square.y, square.x)) > Radians(10.5)) return sighting;
     PyramidFit fit;
     const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(0.2 + 1.5 * r);
     const double scale = 1.0 + noise(range_sigma) / r;
@@ -114,15 +121,15 @@ class PlanarRobot {
                                            1e-6 * r * r * aside * aside.transpose();
     fit.covariance(2, 2) = heading_sigma * heading_sigma;
     fit.misfit = 1.0;
-    seen.fits = {fit};
+    sighting.fits = {fit};
     if (is_.two_fits && r > 0.6) {
       PyramidFit other = fit;  // looks the same with the axis mirrored about the line of sight
       const double sight = std::atan2(fit.X_VD.y, fit.X_VD.x);
       other.X_VD.heading = WrapPi(2.0 * sight - fit.X_VD.heading);
-      seen.fits.push_back(other);
-      if (std::bernoulli_distribution(0.4)(random_)) std::swap(seen.fits[0], seen.fits[1]);
+      sighting.fits.push_back(other);
+      if (std::bernoulli_distribution(0.4)(random_)) std::swap(sighting.fits[0], sighting.fits[1]);
     }
-    return seen;
+    return sighting;
   }
 
   void Step(const Commands& commands) {
@@ -209,9 +216,9 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
   bool closes = false;
   while (drive.verdict == Verdict::kUnderWay && robot.time_s() < 600.0) {
     const SensorFrame frame = robot.Sense();
-    const PyramidSeen seen = robot.Look();
+    const PyramidSighting sighting = robot.Detect(pilot.Hints().refuted);
     const bool first = frame.tick == 0;
-    const Commands commands = pilot.Step(frame, first ? nullptr : &seen, 0.05);
+    const Commands commands = pilot.Step(frame, first ? nullptr : &sighting, 0.05);
     if (pilot.filter().located()) drive.located_s = std::min(drive.located_s, robot.time_s());
     const Pose2 X = robot.X_DN();
     const Pose2 X_VD = Inverse(X * Pose2{kCamera_m, 0.0, 0.0});
@@ -383,16 +390,73 @@ TEST(Pilot, LooksWithoutItsBeliefWhereNothingFitsIt) {
   PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
   Pilot pilot(nominal, {});
   int free = 0, pictures = 0;
-  for (int i = 0; i < 60; ++i) {
-    const PyramidSeen seen = i < 10 ? robot.Look() : PyramidSeen{};
-    if (i > 0) robot.Step(pilot.Step(robot.Sense(), &seen, 0.05));
-    if (i < 20) continue;
+  for (int i = 0; i < 27; ++i) {
+    const PyramidSighting sighting = i < 10 ? robot.Detect() : PyramidSighting{};
+    if (i > 0) robot.Step(pilot.Step(robot.Sense(), &sighting, 0.05));
+    if (i < 18) continue;
     ++pictures;
-    free += !pilot.Prior();
+    free += !pilot.Hints().prior;
   }
   ASSERT_TRUE(pilot.filter().located());
   EXPECT_GE(free, pictures / 4);
   EXPECT_LE(free, pictures / 2);
+}
+
+// Once it has stopped and the believed place stays empty.
+TEST(Pilot, ForgetsAPyramidThatIsNotWhereItMustBeInView) {
+  const Nominal nominal = RobotNominal();
+  PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
+  Pilot pilot(nominal, {});
+  for (int i = 0; i < 80 && (i < 10 || pilot.filter().located()); ++i) {
+    const PyramidSighting sighting = i < 10 ? robot.Detect() : PyramidSighting{};
+    if (i > 0) robot.Step(pilot.Step(robot.Sense(), &sighting, 0.05));
+  }
+  EXPECT_FALSE(pilot.filter().located());
+}
+
+/// A guide in view that no image shows a square of.
+PyramidSighting LoneThing(double bearing_rad, double range_m) {
+  PyramidSighting sighting;
+  sighting.guide.emplace();
+  sighting.guide->bearing_rad = bearing_rad;
+  sighting.guide->range_m = range_m;
+  sighting.guide->bearing_sigma_rad = 0.001;
+  sighting.guide->range_sigma_m = 0.05;
+  sighting.guide->without_square.set();
+  return sighting;
+}
+
+TEST(Pilot, SearchesAThingWithoutASquareOnce) {
+  const Nominal nominal = RobotNominal();
+  PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
+  Pilot pilot(nominal, {});
+  const PyramidSighting lone = LoneThing(0.1, 0.8);
+  for (int i = 0; i < 10 && pilot.Hints().refuted.empty(); ++i) {
+    robot.Step(pilot.Step(robot.Sense(), &lone, 0.05));
+  }
+  ASSERT_EQ(pilot.Hints().refuted.size(), 1u);
+  EXPECT_NEAR(pilot.Hints().refuted[0].bearing_rad, 0.1, 0.02);
+  EXPECT_NEAR(pilot.Hints().refuted[0].range_m, 0.8, 0.02);
+}
+
+// The mirrored pose has the same guide and the same range: only a move across tells them apart.
+TEST(Pilot, MovesAcrossTheLineOfSightWhileTwoPosesAreLikelyAndClaimsNoAngle) {
+  const Nominal nominal = RobotNominal();
+  const Pose2 start{1.5 * std::cos(0.9), 1.5 * std::sin(0.9), WrapPi(0.9 + kPi)};
+  PlanarRobot robot(nominal, {.two_fits = true, .seed = 2}, start);
+  Pilot pilot(nominal, {});
+  double along_m = 0.0, across_m = 0.0;
+  const Pose2 begin = robot.X_DN();
+  for (int i = 0; i < 600 && !pilot.belief().located; ++i) {
+    const PyramidSighting sighting = robot.Detect();
+    robot.Step(pilot.Step(robot.Sense(), &sighting, 0.05));
+    const Pose2 moved = Inverse(begin) * robot.X_DN();
+    along_m = moved.x;
+    across_m = moved.y;
+  }
+  EXPECT_TRUE(pilot.belief().located);
+  EXPECT_GT(std::abs(across_m), 0.1);
+  EXPECT_LT(std::abs(along_m), 0.06);
 }
 
 // An orange thing without marks, nothing at all, and doors that never hold: each comes to an end,

@@ -33,8 +33,8 @@ struct Truth {
   Pose2 X_VD() const { return Inverse(X_DN * Pose2{kCamera_m, 0.0, 0.0}); }
 };
 
-PyramidSeen Sighting(const Pose2& X_VD, double place_m, double heading_rad,
-                     std::mt19937* random = nullptr) {
+PyramidSighting Sighting(const Pose2& X_VD, double place_m, double heading_rad,
+                         std::mt19937* random = nullptr) {
   const auto noise = [&](double sigma) {
     return random ? sigma * std::normal_distribution<double>()(*random) : 0.0;
   };
@@ -43,7 +43,7 @@ PyramidSeen Sighting(const Pose2& X_VD, double place_m, double heading_rad,
               WrapPi(X_VD.heading + noise(heading_rad))};
   fit.covariance.diagonal() << place_m * place_m, place_m * place_m, heading_rad * heading_rad;
   fit.misfit = 1.0;
-  return {std::nullopt, {fit}};
+  return {std::nullopt, {fit}, {}};
 }
 
 Nominal RobotNominal() { return TestNominal(kCamera_m); }
@@ -62,9 +62,9 @@ TEST(PyramidFilter, LateSightingCountsFromWhereItWasTaken) {
   Truth truth;
   PyramidFilter filter(RobotNominal(), {});
   filter.See(Sighting(truth.X_VD(), 0.001, 0.005), 0.0);
-  const PyramidSeen seen = Sighting(truth.X_VD(), 0.001, 0.005);
+  const PyramidSighting sighting = Sighting(truth.X_VD(), 0.001, 0.005);
   filter.Drive(truth.Step(0.02, 0.03));
-  filter.See(seen, kPeriod_s);
+  filter.See(sighting, kPeriod_s);
   EXPECT_NEAR(filter.X_DN().x, truth.X_DN.x, 1e-3);
   EXPECT_NEAR(WrapPi(filter.X_DN().heading - truth.X_DN.heading), 0.0, 3e-3);
 }
@@ -108,18 +108,40 @@ TEST(PyramidFilter, OfTwoPosesTheOneThatMovesAsForetoldStays) {
   std::mt19937 random(5);
   for (int i = 0; i < 20; ++i) {
     if (i > 0) filter.Drive(truth.Step(0.02, 0.0));
-    PyramidSeen seen = Sighting(truth.X_VD(), 0.01, 0.05, &random);
+    PyramidSighting sighting = Sighting(truth.X_VD(), 0.01, 0.05, &random);
     // The picture allows the axis mirrored about the line of sight as well, and prefers it.
-    PyramidFit other = seen.fits.front();
+    PyramidFit other = sighting.fits.front();
     const double sight = std::atan2(other.X_VD.y, other.X_VD.x);
     other.X_VD.heading = WrapPi(2.0 * sight - other.X_VD.heading + 0.10 * i);
-    seen.fits.insert(seen.fits.begin(), other);
-    filter.See(seen, 0.0);
+    sighting.fits.insert(sighting.fits.begin(), other);
+    filter.See(sighting, 0.0);
   }
   EXPECT_NEAR(WrapPi(filter.X_DN().heading - truth.X_DN.heading), 0.0, 0.1);
 }
 
-PyramidSeen Beside(Pose2 X_VD, double x_m, double heading_rad) {
+// Both poses fit as well from where the robot is.
+TEST(PyramidFilter, HasNoSingleAngleUntilAMoveAcrossRefutesTheMirroredPose) {
+  Truth truth{.X_DN = {1.2, 1.2, Radians(225.0)}};
+  PyramidFilter filter(RobotNominal(), {});
+  const auto see = [&] {
+    PyramidSighting sighting = Sighting(truth.X_VD(), 0.01, 0.03);
+    PyramidFit mirrored = sighting.fits.front();
+    const double sight = std::atan2(mirrored.X_VD.y, mirrored.X_VD.x);
+    mirrored.X_VD.heading = WrapPi(2.0 * sight - mirrored.X_VD.heading);
+    sighting.fits.push_back(mirrored);
+    filter.See(sighting, 0.0);
+  };
+  for (int i = 0; i < 5; ++i) see();
+  EXPECT_FALSE(filter.one_angle());
+  for (int i = 0; i < 9; ++i) filter.Drive(truth.Step(0.0, Radians(10.0)));
+  for (int i = 0; i < 5; ++i) filter.Drive(truth.Step(0.04, 0.0));
+  for (int i = 0; i < 9; ++i) filter.Drive(truth.Step(0.0, Radians(-10.0)));
+  for (int i = 0; i < 12; ++i) see();
+  EXPECT_TRUE(filter.one_angle());
+  EXPECT_NEAR(WrapPi(filter.X_DN().heading - truth.X_DN.heading), 0.0, 0.05);
+}
+
+PyramidSighting Beside(Pose2 X_VD, double x_m, double heading_rad) {
   X_VD.x += x_m;
   X_VD.heading = WrapPi(X_VD.heading + heading_rad);
   return Sighting(X_VD, 0.003, 0.004);
@@ -170,8 +192,8 @@ TEST(PyramidFilter, ErrorsAreAsLargeAsItThinks) {
       std::mt19937 again = alike;
       const double turn = i < 15 ? 0.02 * (1.0 + 0.1 * normal(random)) : 0.0;
       if (i > 0) filter.Drive(truth.Step(i < 15 ? 0.0 : 0.02, turn));
-      const Pose2 seen = Scaled(truth.X_VD(), scale);
-      if (i < 9) filter.See(Sighting(seen, 0.01, 0.04, &again), 0.0);
+      const Pose2 sighting = Scaled(truth.X_VD(), scale);
+      if (i < 9) filter.See(Sighting(sighting, 0.01, 0.04, &again), 0.0);
     }
     const Pose2 X = filter.X_DN();
     const Eigen::Vector3d error(X.x - truth.X_DN.x, X.y - truth.X_DN.y,

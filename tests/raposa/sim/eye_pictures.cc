@@ -92,15 +92,15 @@ std::vector<SceneryItem> ThingsAhead(const Pose2& X_DV, std::uint64_t seed) {
   return pieces;
 }
 
-Scenario ScenarioOf(const PictureSetup& setup) {
+Scenario ScenarioOf(const ImageSetup& setup) {
   const std::string models = SourceFile("models/raposa/");
   Scenario scenario;
   scenario.robot_file = models + "raposa.yaml";
   scenario.soil_file = models + "grounds/" + setup.ground + ".yaml";
   scenario.of_system = ParseYaml(
       "{pyramid: " + models + "pyramid/pyramid.yaml, light_k: " + std::to_string(setup.light_k) +
-          ", light_level: " + std::to_string(setup.light_level) +
-          ", balance_k: " + std::to_string(setup.balance_k) + "}",
+          ", light_level: " + std::to_string(setup.light_level) + ", balance_k: " +
+          std::to_string(setup.balance_k) + ", clutter: " + std::to_string(setup.things) + "}",
       "test");
   scenario.start = {setup.r_m, setup.alpha_rad, setup.alpha_rad + setup.beside_rad};
   scenario.yard.undulation_rms_m = setup.undulation_rms_m;
@@ -113,8 +113,8 @@ Scenario ScenarioOf(const PictureSetup& setup) {
 
 }  // namespace
 
-TakenPicture ExposeColourViewOf(const PictureSetup& setup,
-                                const std::shared_ptr<KeptRenderer>& renderer) {
+TakenImage ExposeColourViewOf(const ImageSetup& setup,
+                              const std::shared_ptr<KeptRenderer>& renderer) {
   const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
   if (setup.lamps || setup.arm_rad > 0.0) {
@@ -125,7 +125,7 @@ TakenPicture ExposeColourViewOf(const PictureSetup& setup,
     for (int i = 0; i < periods; ++i) plant.Advance(commands);
     plant.RefreshTruth();
   }
-  TakenPicture taken;
+  TakenImage taken;
   taken.nominal = plant.built().nominal;
   const Pose3 X_WC = plant.truth().X_WR * plant.built().world.robot.camera.X_RC;
   const Eigen::Vector3d view = X_WC.R.col(2);
@@ -141,8 +141,8 @@ TakenPicture ExposeColourViewOf(const PictureSetup& setup,
   return taken;
 }
 
-TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
-                           Instead instead) {
+TakenImage TakeClutterOf(const ImageSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
+                         Instead instead) {
   const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
   BuiltRun built = plant.built();
@@ -152,18 +152,18 @@ TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<Kept
   if (instead == Instead::kThings) {
     built.clutter = ThingsAhead(Inverse(built.world.X_GD) * PlanOf(X_WC), setup.seed);
   }
-  const SceneBuilder builder(
-      built,
+  Lighting lighting =
       MakeLighting(scenario.light, FromGround(built.world.X_GD, 0.0),
-                   {0.0, 0.0, built.world.pyramid.guide.height_m}, scenario.seed, scenario.sun),
-      scenario.seed);
+                   {0.0, 0.0, built.world.pyramid.guide.height_m}, scenario.seed, scenario.sun);
+  AddItems(built.clutter, built.world.ground, FromGround({}, 0.0), built.world.X_GD, lighting);
+  const SceneBuilder builder(built, lighting, scenario.seed);
   Scene scene = builder.Make(plant.truth(), plant.world().ground(), setup.lamps);
   scene.tether.points_W.clear();
   if (instead == Instead::kForgeries) AddForgeries(scene, X_WC, setup.seed);
   const ColourRadiance light =
       renderer->Get().RenderThrough(scene, builder.colours(), ViewOf(camera), {X_WC});
   ColourSensorState state;
-  TakenPicture taken;
+  TakenImage taken;
   taken.nominal = built.nominal;
   taken.pitch_rad = -std::asin(X_WC.R(2, 2));
   taken.image = ExposeColourView(light, SensorOf(camera, setup.balance_k), 0.0,

@@ -10,7 +10,7 @@
 
 namespace dockyard::raposa {
 
-struct PictureSetup {
+struct ImageSetup {
   double r_m = 1.0, alpha_rad = 0.0;  // of the camera about the guide
   double beside_rad = 0.0;            // the camera looks so far to the left of the guide
   double light_k = 5000.0, balance_k = 5000.0;
@@ -20,10 +20,11 @@ struct PictureSetup {
   bool lamps = false;
   double arm_rad = 0.0;  // pressed down by this, so that the body leans back
   double undulation_rms_m = 0.0;
+  int things = 0;  // of sim/raposa/clutter.h, about the pyramid
   std::uint64_t seed = 1;
 };
 
-struct TakenPicture {
+struct TakenImage {
   RgbImage image;
   Nominal nominal;
   Pose2 X_VD;  // V: the camera in plan, x along its view
@@ -33,8 +34,8 @@ struct TakenPicture {
 };
 
 /// The robot stands still; r_m is from where it stood before it pressed its arm.
-TakenPicture ExposeColourViewOf(const PictureSetup& setup,
-                                const std::shared_ptr<KeptRenderer>& renderer);
+TakenImage ExposeColourViewOf(const ImageSetup& setup,
+                              const std::shared_ptr<KeptRenderer>& renderer);
 
 /// What stands on the ground in the pyramid's place.
 enum class Instead {
@@ -43,7 +44,7 @@ enum class Instead {
 };
 
 /// The same view without the pyramid. The camera's Nominal and pitch are as in the other.
-TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
-                           Instead instead);
+TakenImage TakeClutterOf(const ImageSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
+                         Instead instead);
 
 }  // namespace dockyard::raposa

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "controller/raposa/pyramid_eye.h"
+#include "controller/raposa/pyramid_finder.h"
 #include "controller/raposa/tune_bands.h"
 #include "raposa/sim/eye_pictures.h"
 #include "raposa/sim/pictures.h"
@@ -32,15 +32,15 @@ int RightIn(double light_k, const HsvBand& orange, const HsvBand& blue,
 int FoundIn(double light_level, bool lamps, const std::shared_ptr<KeptRenderer>& renderer) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const TakenPicture taken =
-        ExposeColourViewOf({.r_m = 0.26 + 0.01 * static_cast<double>(seed % 4),
-                            .light_level = light_level,
-                            .lamps = lamps,
-                            .arm_rad = Radians(8.0),
-                            .seed = seed},
-                           renderer);
-    const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
-    found += seen.guide && (seen.guide->centre_px - *taken.guide_px).norm() < 8.0;
+    const TakenImage taken = ExposeColourViewOf({.r_m = 0.26 + 0.01 * static_cast<double>(seed % 4),
+                                                 .light_level = light_level,
+                                                 .lamps = lamps,
+                                                 .arm_rad = Radians(8.0),
+                                                 .seed = seed},
+                                                renderer);
+    const PyramidSighting sighting =
+        PyramidFinder(taken.nominal).Find(taken.image, taken.pitch_rad);
+    found += sighting.guide && (sighting.guide->centre_px - *taken.guide_px).norm() < 8.0;
   }
   return found;
 }

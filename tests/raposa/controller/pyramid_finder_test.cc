@@ -5,7 +5,7 @@
 
 #include "controller/raposa/colour_pairs.h"
 #include "controller/raposa/marks_projection.h"
-#include "controller/raposa/pyramid_eye.h"
+#include "controller/raposa/pyramid_finder.h"
 
 #include "controller/vision/coverage.h"
 #include "controller/vision/linear_colour.h"
@@ -168,17 +168,17 @@ RgbImage Drawn(double r_m, double alpha_rad, double bearing_rad, Scene scene) {
   return Coded(Draw(FlatNominal(), CameraAt(r_m, alpha_rad, bearing_rad), scene));
 }
 
-TEST(PyramidEye, MeasuresADrawnPyramid) {
-  const PyramidEye eye(FlatNominal());
+TEST(PyramidFinder, MeasuresADrawnPyramid) {
+  const PyramidFinder finder(FlatNominal());
   for (const double r_m : {0.6, 1.0, 1.6}) {
     for (const double alpha_deg : {-60.0, -25.0, 0.0, 40.0, 70.0}) {
       const double alpha = Radians(alpha_deg), right = Radians(2.0);
-      const PyramidSeen seen = eye.Find(Drawn(r_m, alpha, right, {}), 0.0);
+      const PyramidSighting sighting = finder.Find(Drawn(r_m, alpha, right, {}), 0.0);
       SCOPED_TRACE(testing::Message() << r_m << " m, " << alpha_deg << " deg");
-      ASSERT_TRUE(seen.guide);
-      EXPECT_NEAR(seen.guide->bearing_rad, -right, Radians(0.15));
-      ASSERT_FALSE(seen.fits.empty());
-      const Pose2 X_DV = Inverse(seen.fits.front().X_VD);
+      ASSERT_TRUE(sighting.guide);
+      EXPECT_NEAR(sighting.guide->bearing_rad, -right, Radians(0.15));
+      ASSERT_FALSE(sighting.fits.empty());
+      const Pose2 X_DV = Inverse(sighting.fits.front().X_VD);
       EXPECT_NEAR(std::hypot(X_DV.x, X_DV.y), r_m, 0.05 * r_m);
       EXPECT_NEAR(std::atan2(X_DV.y, X_DV.x), alpha, Radians(6.0));
     }
@@ -187,7 +187,7 @@ TEST(PyramidEye, MeasuresADrawnPyramid) {
 
 // The hole is built half a degree narrower or wider than told. A rim that were taken for what is
 // told would cut the guide.
-TEST(PyramidEye, FindsTheRimOfItsHoleInThePicture) {
+TEST(PyramidFinder, FindsTheRimOfItsHoleInThePicture) {
   const Nominal told = TestNominal();
   for (const double off_deg : {-0.5, 0.0, 0.5}) {
     Nominal built = told;
@@ -198,52 +198,108 @@ TEST(PyramidEye, FindsTheRimOfItsHoleInThePicture) {
   }
 }
 
-TEST(PyramidEye, SeesNoPyramidWhereThereIsNone) {
-  const PyramidEye eye(FlatNominal());
+TEST(PyramidFinder, SeesNoPyramidWhereThereIsNone) {
+  const PyramidFinder finder(FlatNominal());
   Scene scene{.pyramid = false};
-  EXPECT_FALSE(eye.Find(Drawn(1.0, 0.0, 0.0, scene), 0.0).guide);
+  EXPECT_FALSE(finder.Find(Drawn(1.0, 0.0, 0.0, scene), 0.0).guide);
   // An orange box over a blue one.
   scene.clutter = {Box(150, 130, 166, 140, kOrange), Box(148, 142, 176, 156, kBlue)};
-  EXPECT_TRUE(eye.Find(Drawn(1.0, 0.0, 0.0, scene), 0.0).fits.empty());
+  EXPECT_TRUE(finder.Find(Drawn(1.0, 0.0, 0.0, scene), 0.0).fits.empty());
 }
 
-TEST(PyramidEye, KnowsTheGuideAlone) {
-  const PyramidEye eye(FlatNominal());
+TEST(PyramidFinder, KnowsTheGuideAlone) {
+  const PyramidFinder finder(FlatNominal());
   Scene scene;
   scene.blue = scene.background;
-  const PyramidSeen seen = eye.Find(Drawn(0.8, 0.3, 0.05, scene), 0.0);
-  ASSERT_TRUE(seen.guide);
-  EXPECT_TRUE(seen.fits.empty());
-  EXPECT_FALSE(seen.guide->clipped);
-  EXPECT_NEAR(seen.guide->bearing_rad, -0.05, 0.003);
-  EXPECT_NEAR(seen.guide->range_m, 0.8, 4.0 * seen.guide->range_sigma_m);
-  EXPECT_LT(seen.guide->range_sigma_m, 0.12);
+  const PyramidSighting sighting = finder.Find(Drawn(0.8, 0.3, 0.05, scene), 0.0);
+  ASSERT_TRUE(sighting.guide);
+  EXPECT_TRUE(sighting.fits.empty());
+  EXPECT_FALSE(sighting.guide->clipped);
+  EXPECT_NEAR(sighting.guide->bearing_rad, -0.05, 0.003);
+  EXPECT_NEAR(sighting.guide->range_m, 0.8, 4.0 * sighting.guide->range_sigma_m);
+  EXPECT_LT(sighting.guide->range_sigma_m, 0.12);
 }
 
 // A band of shade across the view, of a sky that is warmer than the sun: ln R/B is 1.4 above that
 // of the lit ground. Guide and marks lie in it, as dark.
-TEST(PyramidEye, FindsTheGuideInAShadeThatIsWarmerThanTheLight) {
+TEST(PyramidFinder, FindsTheGuideInAShadeThatIsWarmerThanTheLight) {
   const Nominal nominal = FlatNominal();
   for (const double bearing : {-0.1, 0.0, 0.1}) {
     Scene scene{.orange = {54, 8, 1}, .blue = {3, 8, 24}, .background = {60, 66, 72}, .noise = 0.4};
     scene.clutter = {Box(60.0, 114.0, 260.0, 134.0, {14, 9, 4.2})};
-    const PyramidSeen seen = PyramidEye(nominal).Find(Drawn(0.9, 1.7, bearing, scene), 0.0);
-    ASSERT_TRUE(seen.guide) << bearing;
-    EXPECT_NEAR(seen.guide->bearing_rad, -bearing, 0.01);
-    EXPECT_NEAR(seen.guide->range_m, 0.9, 0.1);
+    const PyramidSighting sighting =
+        PyramidFinder(nominal).Find(Drawn(0.9, 1.7, bearing, scene), 0.0);
+    ASSERT_TRUE(sighting.guide) << bearing;
+    EXPECT_NEAR(sighting.guide->bearing_rad, -bearing, 0.01);
+    EXPECT_NEAR(sighting.guide->range_m, 0.9, 0.1);
   }
 }
 
-TEST(PyramidEye, PriorRulesOutOtherThingsOfLikeColours) {
-  const PyramidEye eye(FlatNominal());
+// An orange wall behind the guide, blue and grey ones near its square.
+TEST(PyramidFinder, MeasuresAPyramidThatTouchesThingsOfItsColours) {
+  const PyramidFinder finder(FlatNominal());
+  const double alpha = Radians(40.0);
+  Scene scene;
+  const PyramidSighting bare = finder.Find(Drawn(1.0, alpha, 0.0, scene), 0.0);
+  ASSERT_FALSE(bare.fits.empty());
+  scene.clutter = {Box(150, 96, 168, 133, kOrange), Box(110, 96, 140, 122, kBlue),
+                   Box(176, 96, 210, 160, {120, 110, 60})};
+  const PyramidPrior prior{Inverse(CameraAt(1.0, alpha + 0.05, 0.005)),
+                           Eigen::Vector3d(0.03, 0.03, 0.08).cwiseAbs2().asDiagonal()};
+  const PyramidSighting sighting = finder.Find(Drawn(1.0, alpha, 0.0, scene), 0.0, prior);
+  ASSERT_FALSE(sighting.fits.empty());
+  const Pose2 off = Inverse(bare.fits.front().X_VD) * sighting.fits.front().X_VD;
+  EXPECT_NEAR(off.heading, 0.0, Radians(3.0));
+  EXPECT_NEAR(std::hypot(off.x, off.y), 0.0, 0.03);
+}
+
+TEST(PyramidFinder, TakesNoPartOfALargerThingForAMark) {
+  const PyramidFinder finder(FlatNominal());
+  Scene scene;
+  // The guide and the square's frame, but a blue wall all round the frame.
+  scene.clutter = {Box(100, 60, 220, 180, kBlue)};
+  EXPECT_TRUE(finder.Find(Drawn(1.0, 0.0, 0.0, scene), 0.0).fits.empty());
+}
+
+// A lone guide at the middle of the view has no square at any angle from which blue shows. With its
+// square, the true angle is not ruled out.
+TEST(PyramidFinder, RulesOutAnglesAtWhichTheSquareWouldBeInView) {
+  const PyramidFinder finder(FlatNominal());
+  Scene scene;
+  scene.blue = scene.background;
+  const PyramidSighting lone = finder.Find(Drawn(1.0, 0.3, 0.0, scene), 0.0);
+  ASSERT_TRUE(lone.guide);
+  EXPECT_TRUE(lone.guide->without_square.all());
+  const PyramidSighting aside = finder.Find(Drawn(0.6, 0.3, 0.12, scene), 0.0);
+  ASSERT_TRUE(aside.guide);
+  EXPECT_FALSE(aside.guide->without_square.all());  // the square may be beyond the view's edge
+  EXPECT_TRUE(aside.guide->without_square.any());
+}
+
+TEST(PyramidFinder, SearchesNoRefutedThingUnlessTheGuideIsExpectedThere) {
+  const PyramidFinder finder(FlatNominal());
+  const double r_m = 1.2, alpha = 0.5;
+  const RgbImage image = Drawn(r_m, alpha, 0.0, {});
+  const std::vector<RefutedThing> refuted{{.bearing_rad = 0.0, .range_m = 1.2, .radius_m = 0.2}};
+  const PyramidSighting sighting = finder.Find(image, 0.0, std::nullopt, refuted);
+  EXPECT_FALSE(sighting.guide);
+  ASSERT_EQ(sighting.known.size(), 1u);
+  EXPECT_NEAR(sighting.known[0].bearing_rad, 0.0, 0.01);
+  const PyramidPrior prior{Inverse(CameraAt(r_m, alpha, 0.0)),
+                           Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()};
+  EXPECT_FALSE(finder.Find(image, 0.0, prior, refuted).fits.empty());
+}
+
+TEST(PyramidFinder, PriorRulesOutOtherThingsOfLikeColours) {
+  const PyramidFinder finder(FlatNominal());
   const double r_m = 1.2, alpha = 0.5;
   const RgbImage image = Drawn(r_m, alpha, 0.0, {});
   const Pose2 X_VD = Inverse(CameraAt(r_m, alpha, 0.0));
   PyramidPrior prior{X_VD, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()};
   prior.covariance *= 0.01;
-  EXPECT_FALSE(eye.Find(image, 0.0, prior).fits.empty());
+  EXPECT_FALSE(finder.Find(image, 0.0, prior).fits.empty());
   prior.X_VD = Inverse(CameraAt(r_m, alpha, 0.2));  // 11 deg beside
-  EXPECT_FALSE(eye.Find(image, 0.0, prior).guide);
+  EXPECT_FALSE(finder.Find(image, 0.0, prior).guide);
 }
 
 }  // namespace
