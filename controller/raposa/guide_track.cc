@@ -1,8 +1,22 @@
 #include "controller/raposa/guide_track.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dockyard::raposa {
+namespace {
+
+// One guide in two images: its bearing as the belts carry it, and its range. Assumed, 0.03-0.1 rad
+// and 1.2-1.6.
+constexpr double kSameBearing_rad = 0.05, kSameRange = 1.4;
+
+bool IsSame(const GuideTrack& guide, const GuideSighting& image) {
+  return std::abs(WrapPi(image.bearing_rad - guide.bearing_rad)) < kSameBearing_rad &&
+         image.range_m < kSameRange * guide.last->range_m &&
+         kSameRange * image.range_m > guide.last->range_m;
+}
+
+}  // namespace
 
 void Carry(double turned_rad, double driven_m, GuideTrack* guide) {
   guide->bearing_rad -= turned_rad;
@@ -11,7 +25,8 @@ void Carry(double turned_rad, double driven_m, GuideTrack* guide) {
 
 void Take(const PyramidSighting& image, Tick now, GuideTrack* guide) {
   guide->now = image.guide;
-  if (!image.guide || !image.fits.empty()) guide->without_square.fill(0);
+  const bool another = image.guide && guide->last && !IsSame(*guide, *image.guide);
+  if (!image.guide || another || !image.fits.empty()) guide->without_square.fill(0);
   if (image.guide) {
     guide->last = image.guide;
     guide->detected = now;

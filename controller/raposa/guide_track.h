@@ -17,7 +17,8 @@ struct GuideTrack {
   double bearing_rad = 0.0;  // of the last one, by the belts since
   double driven_m = 0.0;     // since then, either way
   int fitless = 0;           // images in a row without a pose
-  // Images in a row with the guide and without a pose that show no square at an angle.
+  // By angle: images of this guide, without a pose, in which its square would be in view and is
+  // not.
   std::array<int, Angles().size()> without_square{};
   double sides = 0.0;  // sum of the likely sides in these
 };

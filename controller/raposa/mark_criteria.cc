@@ -7,7 +7,7 @@ namespace {
 
 // |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
 // 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; five times that where one lies in shade.
-// Of true poses 98 of 100 have more than 0.16, of false ones half have less: assumed, 0.12-0.2.
+// Of true poses 98 of 100 have more than 0.16, a quarter of the false ones less: assumed, 0.12-0.2.
 constexpr double kLeastBlueShare = 0.036, kLeastFreeBlueShare = 0.16, kMostBlueShare = 3.0;
 // A fit with more is none; without a place where the pyramid is believed, other things of like
 // colours are more likely than shadows. From raposa_eye_survey: 97 of 100 true poses have less than

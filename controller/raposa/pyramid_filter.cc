@@ -38,7 +38,7 @@ constexpr double kArmPart_m = 0.02;              // of the arm's way: one press
 // A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
 // metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
 constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
-constexpr double kHypothesis_rad = Radians(30.0);  // of an angle that no picture told
+constexpr double kHypothesis_rad = Radians(30.0);  // of an angle that no image showed
 // So far behind in log-likelihood a pose is refuted; less far, and its angle so different, it is a
 // rival. Assumed, 4-9 and 10-20 deg.
 constexpr double kRefuted = 6.0, kOtherAngle_rad = Radians(15.0);

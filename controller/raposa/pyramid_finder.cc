@@ -70,11 +70,11 @@ bool Allowed(const Nominal& nominal, const OrangeSpot& spot, const PyramidPrior&
   const Eigen::Matrix2d covariance = prior.covariance.topLeftCorner<2, 2>();
   const double bearing = std::atan2(p.y(), p.x());
   const Eigen::Vector3d d_C = nominal.camera.Direction(spot.centre_px);
-  const double sighting = std::atan2(-d_C.x(), d_C.z());
+  const double spot_rad = std::atan2(-d_C.x(), d_C.z());
   const double sigma = std::sqrt(across.dot(covariance * across)) / r_m;
   // A clipped or half-hidden guide's middle is off by up to its radius.
   const double radius = nominal.marks.guide_length_m / r_m;
-  if (std::abs(WrapPi(sighting - bearing)) > kGate * sigma + 0.01 + radius) return false;
+  if (std::abs(WrapPi(spot_rad - bearing)) > kGate * sigma + 0.01 + radius) return false;
   if (spot.clipped) return true;
   const double range_m = RangeOfArea(nominal, spot.area_px2);
   const double range_sigma = std::sqrt(along.dot(covariance * along));

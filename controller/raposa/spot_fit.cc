@@ -14,7 +14,8 @@ constexpr double kRollSigma = Radians(1.5);   // ground under robot and pyramid;
 constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed, 5-15 mm
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
 constexpr int kGridCells = 250, kFitCells = 1000;   // of a window
-constexpr double kMargin_px = 7.0;                  // of a window about the marks; assumed, 5-10
+// Of a window about the marks, at kLimitsFocal_px. Assumed, 5-10.
+constexpr double kMargin_px = 7.0;
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
 constexpr double kAreaRangeSigma = 0.3;
 // Of a second pose's chi2 above the best one's, by the misfit: three sigmas.

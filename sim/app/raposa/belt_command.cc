@@ -57,6 +57,8 @@ void AddBeltOptions(CLI::App& app, BeltArguments& in) {
       ->needs(turn);
   app.add_option("--speed", in.speed_m_s, "of the faster of belt and travel in m/s [0.05]")
       ->check(NumberBetween(1e-3, 1.0));
+  app.add_option("--pyramid", in.pyramid, "a pyramid's file [models/raposa/pyramid/pyramid.yaml]")
+      ->needs(turn);
   app.add_flag("--json", in.json, "JSON on standard output");
 }
 

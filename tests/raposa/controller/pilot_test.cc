@@ -439,6 +439,18 @@ TEST(Pilot, SearchesAThingWithoutASquareOnce) {
   EXPECT_NEAR(pilot.Hints().refuted[0].range_m, 0.8, 0.02);
 }
 
+// The images of one do not count for the other.
+TEST(Pilot, RefutesNeitherOfTwoThingsThatTakeTurnsInTheImage) {
+  const Nominal nominal = RobotNominal();
+  PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
+  Pilot pilot(nominal, {});
+  for (int i = 0; i < 8; ++i) {
+    const PyramidSighting lone = i % 2 == 0 ? LoneThing(0.1, 0.8) : LoneThing(-0.1, 0.8);
+    robot.Step(pilot.Step(robot.Sense(), &lone, 0.05));
+  }
+  EXPECT_TRUE(pilot.Hints().refuted.empty());
+}
+
 // The mirrored pose has the same guide and the same range: only a move across tells them apart.
 TEST(Pilot, MovesAcrossTheLineOfSightWhileTwoPosesAreLikelyAndClaimsNoAngle) {
   const Nominal nominal = RobotNominal();
