@@ -31,7 +31,7 @@ StageShapes ShapesToDraw(const System& system, const Scenario& scenario);
 int WriteFilm(const LoggedRun& log, const StageShapes& shapes, const OutsideOptions& options,
               double period_s, const std::filesystem::path& out_dir);
 
-/// One picture of the world as it was at that time, or at the end of a shorter run; returns the
+/// One image of the world as it was at that time, or at the end of a shorter run; returns the
 /// time.
 double WriteOutside(const LoggedRun& log, const StageShapes& shapes, const OutsideOptions& options,
                     double time_s, const std::filesystem::path& file);

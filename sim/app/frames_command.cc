@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "controller/base/number_text.h"
+#include "sim/app/all_images.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/app/film_files.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
@@ -67,25 +66,6 @@ Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::s
           {"verdict", WordOf(look)}};
 }
 
-/// The run with all of its images: where the log keeps some alone, the run is made again. One whose
-/// controller is a program is not, as frames starts none.
-LoggedRun WithAllImages(const KeptRun& kept, const Invocation& call) {
-  LoggedRun log = ReadLoggedRun(kept.log_dir);
-  if (log.header.image_gap_s == 0.0) return log;
-  const std::string kept_alone = "the log keeps an image of a camera in " +
-                                 NumberText(log.header.image_gap_s) +
-                                 " s and those at changes of phase";
-  if (!kept.run.scenario.command.empty()) {
-    PrintNote(kept_alone + "; the run's controller is a program, so only these are written");
-    return log;
-  }
-  PrintNote(kept_alone + "; the others are made by simulating the run again");
-  CampaignRun run = kept.run;
-  run.scenario.log_image_gap_s = 0.0;
-  return LogAnew(FindSystem(call.systems, run.scenario.system), run,
-                 {.log_dir = {}, .labels = kept.columns.labels});
-}
-
 int Frames(const FramesArguments& arguments, const Invocation& call) {
   const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", call);
   if (!kept.log_dir.HasFile(kRunLogFile)) {
@@ -93,7 +73,8 @@ int Frames(const FramesArguments& arguments, const Invocation& call) {
                "; `keep` in the campaign's file says which runs keep theirs");
     return kExitIncomplete;
   }
-  const LoggedRun log = WithAllImages(kept, call);
+  const LoggedRun log =
+      WithAllImages(ReadLoggedRun(kept.log_dir), kept.run, kept.columns.labels, call);
   const std::vector<Look> looks = LooksOf(log);
   MakeFolder(arguments.out_dir);
   Json files = Json::array();

@@ -28,7 +28,7 @@ struct ReportArguments {
   double reliability = 0.0, confidence = 0.95;
   JudgingOptions judging;  // without a file
   int most_mib = 50;
-  bool no_pictures = false, svg = false, json = false;
+  bool no_images = false, all_images = false, svg = false, json = false;
 };
 
 struct Format {
@@ -45,12 +45,14 @@ Examples:
   dockyard report results/{campaign_name} --out out/yard.html --no-pictures
   dockyard report results/{campaign_name} --reliability 0.9 --confidence 0.95
   dockyard report results/{campaign_name} --require 'success >= 0.9' --out out/aim.html
+  dockyard report out/typical --all-images
   dockyard report results/{campaign_name} --format markdown --out out/yard.md
   dockyard report results/{campaign_name} --svg --out out/figures
 
 The page has success with exact intervals, failures by cause, a map of the starts, curves over the
 numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run
-whose log is kept (`keep` in the campaign's file). --reliability and --require on `success` draw
+whose log is kept (`keep` in the campaign's file). Where a log keeps some of the images alone
+(log_image_gap_s) --all-images simulates the run again for the others. --reliability and --require on `success` draw
 their limit into the curves.
 
 --svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts
@@ -130,7 +132,8 @@ int Report(const ReportArguments& arguments, const Invocation& call) {
     const std::filesystem::path out = arguments.out.empty() ? dir.string() : arguments.out;
     return WriteFigures(content, out, arguments.json, call.warnings);
   }
-  content.pictures = !arguments.no_pictures;
+  content.pictures = !arguments.no_images;
+  if (arguments.all_images) MakeAllImages(source, call, content);
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
     content.aim = AcceptanceAim{arguments.reliability, arguments.confidence};
@@ -173,7 +176,12 @@ void AddReportCommand(CLI::App& app, Invocation& call) {
       ->check(CLI::Range(2, 380));
   command->add_flag("--svg", arguments->svg, "instead: figures as SVG files");
   command->add_flag("--json", arguments->json, "print what was written as JSON");
-  command->add_flag("--no-pictures", arguments->no_pictures, "replays without the cameras' images");
+  CLI::Option* no_images = command->add_flag("--no-pictures", arguments->no_images,
+                                             "replays without the cameras' images");
+  command
+      ->add_flag("--all-images", arguments->all_images,
+                 "simulate again the runs whose logs keep some of their images alone")
+      ->excludes(no_images);
   command
       ->add_option("--reliability", arguments->reliability,
                    "say whether the runs show this share of successes")

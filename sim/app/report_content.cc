@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "controller/base/number_text.h"
+#include "sim/app/all_images.h"
 #include "sim/app/kept_run.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign_folder.h"
@@ -143,6 +147,21 @@ ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSourc
   return ContentOfRun(dir, system, scenario, *row,
                       ReplayCommand(call.program, dir, "", StartsProgram(*row), ReplayOptions{}),
                       source);
+}
+
+void MakeAllImages(const ReportSource& source, const Invocation& call, ReportContent& content) {
+  // The page reads a log while it packs another one; two simulations would not be quicker.
+  const auto one_at_a_time = std::make_shared<std::mutex>();
+  for (WatchedRun& watched : content.watched) {
+    const int number = content.runs->results[watched.place].run;
+    watched.log = [read = watched.log, number, one_at_a_time, labels = content.columns.labels,
+                   &source, &call] {
+      const std::lock_guard<std::mutex> lock(*one_at_a_time);
+      CampaignRun run = source.maker == nullptr ? SingleRun(*source.scenario)
+                                                : source.maker->Make(source.maker->IndexOf(number));
+      return WithAllImages(read(), std::move(run), labels, call);
+    };
+  }
 }
 
 void WriteReport(const fs::path& dir, const fs::path& file, const Invocation& call,

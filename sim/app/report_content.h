@@ -26,6 +26,10 @@ struct ReportSource {
 ReportContent ContentOf(const std::filesystem::path& dir, const Invocation& call,
                         ReportSource& source);
 
+/// Lets the replays have the images that the logs do not keep: each such run is simulated again
+/// when its log is read. `source` and `call` must live as long as the content.
+void MakeAllImages(const ReportSource& source, const Invocation& call, ReportContent& content);
+
 /// Writes the page of a campaign's folder into a file and says so. Throws as ContentOf.
 void WriteReport(const std::filesystem::path& dir, const std::filesystem::path& file,
                  const Invocation& call, const std::vector<Requirement>& requirements = {});

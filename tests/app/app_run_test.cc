@@ -177,6 +177,26 @@ TEST(ProgramFrames, MakesImagesThatALogDoesNotKeepByARunAnew) {
   EXPECT_EQ(replay.code, 0);
 }
 
+// The page of a log that keeps one image a second is as large as that of a log that keeps all.
+TEST(ProgramReport, MakesImagesThatALogDoesNotKeepByARunAnew) {
+  const TemporaryFolder folder;
+  const std::string scenario = "run scenarios/raposa_point_9.yaml --set time_limit_s=1.5";
+  const std::string thin = (folder.path() / "thin").string(),
+                    whole = (folder.path() / "whole").string();
+  Dockyard(scenario + " --out " + thin);
+  Dockyard(scenario + " --set log_image_gap_s=0 --out " + whole);
+  const fs::path kept = folder.path() / "kept.html", made = folder.path() / "made.html",
+                 all = folder.path() / "all.html";
+  ASSERT_EQ(Dockyard("report " + thin + " --out " + kept.string()).code, 0);
+  const Ended report = Dockyard("report " + thin + " --all-images --out " + made.string());
+  ASSERT_EQ(report.code, 0);
+  EXPECT_THAT(report.err, HasSubstr("made by simulating the run again"));
+  ASSERT_EQ(Dockyard("report " + whole + " --out " + all.string()).code, 0);
+  const auto size = [](const fs::path& file) { return static_cast<double>(fs::file_size(file)); };
+  EXPECT_NEAR(size(made), size(all), 1000.0);
+  EXPECT_GT(size(made), size(kept) + 20'000.0);
+}
+
 // The program prints the pixel that it found: the ring is there.
 TEST(ProgramFrames, DrawsTheMarksOfAProgramWhereItFoundThem) {
   const TemporaryFolder folder;

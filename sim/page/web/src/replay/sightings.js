@@ -97,7 +97,7 @@ export class Sightings {
           drawMarks(context, camera);
         })
         .catch(() => note(context, 'The image is damaged.'));
-    } else note(context, 'The image is not kept.');
+    } else note(context, 'The log keeps no image of this time.', 'dockyard report --all-images makes it.');
     return make(
       'figure',
       null,
@@ -156,12 +156,12 @@ function marks(count) {
   return count === 1 ? '1 mark' : `${count} marks`;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {string} text */
-function note(context, text) {
+/** @param {CanvasRenderingContext2D} context @param {...string} lines */
+function note(context, ...lines) {
   const unit = context.canvas.width / 400;
   context.font = `${14 * unit}px sans-serif`;
   context.fillStyle = '#fff';
-  context.fillText(text, 12 * unit, 24 * unit);
+  lines.forEach((line, i) => context.fillText(line, 12 * unit, (24 + 20 * i) * unit));
 }
 
 /** @param {any} sighting */
