@@ -97,8 +97,11 @@ struct DockyardOptions {
   double believed_from_m = 0.35;  // in camera range a believed guide must show; assumed, 0.3-0.5
   double refuted_m = 0.12;        // about a thing that is no guide; assumed, 0.08-0.2 ...
   double refuted_share = 0.08;    // ... and so much of its range; assumed, 0.05-0.15
-  double most_search_rad = 6.0 * kPi;   // in all, until it drives to the axis; assumed, 2-4 turns
-  double search_rad_s = Radians(15.0);  // assumed, 8-25
+  int elsewheres = 1;             // moves after it found nothing all round; assumed, 1-3
+  double elsewhere_m = 0.45;  // from the last one: moves a thing 0.3 m behind a guide at 1.3 m by
+                              // 3 deg against it; assumed, 0.3-0.6
+  double most_search_rad = 6.0 * kPi;       // from the last place; assumed, 2-4 turns
+  double search_rad_s = Radians(15.0);      // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 
   // Doors. Openings are of each door from closed.

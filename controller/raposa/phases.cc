@@ -27,7 +27,7 @@ struct Row {
 
 constexpr std::array<Row, kPhaseCount> kRows{{
     {"look", true, kImages | Set({kSearch, kCreep, kGlance, kTurn, kFace, kApproach})},
-    {"search", true, kImages | Set({kTurn, kFace})},
+    {"search", true, kImages | Set({kTurn, kFace, kBack})},
     {"creep", true, kImages},
     {"glance", true, kImages | Set({kTurn, kFace, kBack})},
     {"back", true, kImages},

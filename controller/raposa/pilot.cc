@@ -86,6 +86,7 @@ void Pilot::ReadDrives(const SensorFrame& sensed) {
   const double driven_m = -0.5 * (steps->left_m + steps->right_m);
   here_.driven_m += driven_m;
   const double turn_rad = filter_.gauge_share() * turned_rad_;
+  tries_.from_start_rad += turn_rad;
   const Pose2 X_NV = CameraInPlan(nominal_);
   refuted_.Move(
       Inverse(X_NV) *

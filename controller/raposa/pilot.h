@@ -43,6 +43,7 @@ class Pilot {
     Phase phase = Phase::kLook;
     Tick entered = 0;
     double driven_m = 0.0, turned_aside_rad = 0.0;
+    double back_m = 0.0;   // to drive back, in kBack
     int fits = 0;          // images with a pose ...
     int agreed = 0;        // ... that is the believed one
     bool glanced = false;  // to the first side
@@ -51,11 +52,13 @@ class Pilot {
   /// What was tried already.
   struct Tries {
     int passes = 0, backs = 0, nudges = 0, attempts = 0;
-    int acrosses = 0;
-    bool low = false;           // it leaned back to find a low guide
-    bool crossing = false;      // it drives across the line of sight
-    bool all_refuted = false;   // it has been all round, and every thing was refuted
-    double searched_rad = 0.0;  // since the last plan to the axis
+    int acrosses = 0, elsewheres = 0;
+    bool low = false;          // it leaned back to find a low guide
+    bool crossing = false;     // it drives across the line of sight
+    bool all_refuted = false;  // it has been all round, and every thing was refuted
+    // Since the last plan to the axis, or since it went elsewhere.
+    double searched_rad = 0.0;
+    double from_start_rad = 0.0;  // turned since power-on, to the left
   };
   /// Commands that stay until they are changed.
   struct Kept {

@@ -14,6 +14,9 @@ namespace {
 constexpr double kAside_rad = Radians(6.0);
 // A search to and fro by 20, 40, 80, 160 and 320 deg has then seen all round.
 constexpr double kAllRound_rad = Radians(620.0);
+// The guide was in view at the start: across that direction, within this, a thing behind it moves
+// away from it in the image. Assumed, 10-30 deg.
+constexpr double kAcross_rad = Radians(20.0);
 // Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
 constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
 
@@ -132,8 +135,22 @@ Twist Pilot::Search() {
     tries_.all_refuted = true;
     refuted_.Clear();
   }
-  if (tries_.searched_rad > options_.most_search_rad || tries_.attempts >= options_.attempts) {
-    Enter(Phase::kGivenUp, "no pyramid in three turns");
+  // From here, the guide and a thing behind it may be one orange region.
+  const bool again = tries_.elsewheres < options_.elsewheres;
+  const bool across = std::abs(std::cos(tries_.from_start_rad)) < std::sin(kAcross_rad);
+  if (tries_.searched_rad > (tries_.all_refuted ? options_.most_search_rad : kAllRound_rad) &&
+      across && again) {
+    ++tries_.elsewheres;
+    tries_.searched_rad = 0.0;
+    tries_.all_refuted = false;
+    search_.Begin(std::sin(tries_.from_start_rad));  // back to where the guide was
+    Enter(Phase::kBack, "searches from elsewhere");
+    here_.back_m = options_.elsewhere_m;
+    return {};
+  }
+  if ((tries_.searched_rad > options_.most_search_rad && !again) ||
+      tries_.attempts >= options_.attempts) {
+    Enter(Phase::kGivenUp, "no pyramid from two places");
     return {};
   }
   return {0.0, search_.Step(turned_rad_)};
@@ -178,6 +195,7 @@ Twist Pilot::Glance() {
     GoRound();
   } else {
     Enter(Phase::kBack, "no marks on either side");
+    here_.back_m = options_.back_m;
   }
   return {};
 }
@@ -196,7 +214,7 @@ void Pilot::GoRound() {
 }
 
 Twist Pilot::Back() {
-  if (here_.driven_m < -options_.back_m) {
+  if (here_.driven_m < -here_.back_m) {
     Enter(Phase::kLook, "backed off");
     return {};
   }

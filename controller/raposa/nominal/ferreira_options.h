@@ -22,10 +22,10 @@ struct BandChange {
 /// Which pairs of an ellipse and a rectangle can be the pyramid's. The paper gives the criteria and
 /// no threshold but the ball.
 struct FerreiraVision {
-  // As `dockyard tune` writes them from a picture at 0.8 m and 30 deg in even light of 5000 K, hues
-  // a few steps wider. A user tunes them to the light (F, C.3).
-  HsvBand orange{.hue_from = 4, .hue_to = 18, .saturation_from = 85, .value_from = 43};
-  HsvBand blue{.hue_from = 100, .hue_to = 125, .saturation_from = 70, .value_from = 30};
+  // The medians of what `dockyard tune` writes from images at 1.33 m and 30 deg of ten rooms
+  // (docs/raposa.md). A user tunes them to the light (F, C.3).
+  HsvBand orange{.hue_from = 8, .hue_to = 18, .saturation_from = 65, .value_from = 60};
+  HsvBand blue{.hue_from = 105, .hue_to = 116, .saturation_from = 57, .value_from = 55};
   double least_area_px2 = 53.0;    // of either blob, in its band; calibrated, 2.5 and 3.0 m: 53-60
   double least_axis_ratio = 0.5;   // of the ellipse; assumed, 0.4-0.7
   double most_deviation = 0.35;    // of width and height from the distance's; assumed, 0.25-0.5

@@ -27,7 +27,8 @@ struct StandIn {
   double marks_to_rad = kPi, guide_to_rad = kPi;     // off the axis, to either side
   double sees_far = 1.0;                             // share of pictures that show a far guide
   double first_turn_rad = 0.0;                       // its first five fits say too much
-  bool in_doors = true;                              // whether the guide gets between the doors
+  double hidden_to_m = 0.0;  // no image shows the guide from within this of where it starts
+  bool in_doors = true;      // whether the guide gets between the doors
   unsigned seed = 1;
 };
 
@@ -62,7 +63,11 @@ Nominal RobotNominal() {
 class PlanarRobot {
  public:
   PlanarRobot(const Nominal& nominal, const StandIn& is, const Pose2& X_DV)
-      : nominal_(nominal), is_(is), random_(is.seed), X_DN_(X_DV * Pose2{-kCamera_m, 0.0, 0.0}) {}
+      : nominal_(nominal),
+        is_(is),
+        random_(is.seed),
+        X_DN_(X_DV * Pose2{-kCamera_m, 0.0, 0.0}),
+        start_(X_DN_.x, X_DN_.y) {}
 
   SensorFrame Sense() {
     SensorFrame frame;
@@ -84,6 +89,7 @@ class PlanarRobot {
     if (!is_.guide || off_axis > is_.guide_to_rad || std::abs(bearing) > Radians(11.5) ||
         X_VD.x < 0.14 || r > 4.2)
       return sighting;
+    if ((Eigen::Vector2d(X_DN_.x, X_DN_.y) - start_).norm() < is_.hidden_to_m) return sighting;
     if (r > 2.2 && is_.sees_far < 1.0 && !std::bernoulli_distribution(is_.sees_far)(random_)) {
       return sighting;
     }
@@ -199,6 +205,7 @@ class PlanarRobot {
   double pushed_m_ = 0.0, most_pushed_m_ = 0.0;
   std::mt19937 random_;
   Pose2 X_DN_, exposed_ = X_DN_;
+  Eigen::Vector2d start_;
   int fits_ = 0;
   std::array<double, 2> speed_{};
   std::array<double, kMotorCount> read_{}, current_{};
@@ -469,6 +476,14 @@ TEST(Pilot, MovesAcrossTheLineOfSightWhileTwoPosesAreLikelyAndClaimsNoAngle) {
   EXPECT_TRUE(pilot.belief().located);
   EXPECT_GT(std::abs(across_m), 0.1);
   EXPECT_LT(std::abs(along_m), 0.06);
+}
+
+// As a thing of the guide's colour behind it does, along one line of sight. It creeps on by a metre
+// at first; that leads along the line.
+TEST(Pilot, SearchesFromElsewhereWhereItFoundNothingAllRound) {
+  const Drive drive = RunPilot(2.4, 40.0, {.hidden_to_m = 1.05});
+  EXPECT_EQ(drive.verdict, Verdict::kDone);
+  EXPECT_LT(drive.time_s, 150.0);
 }
 
 // An orange thing without marks, nothing at all, and doors that never hold: each comes to an end,
