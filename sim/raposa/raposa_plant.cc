@@ -81,9 +81,10 @@ void RaposaPlant::Advance(const Commands& commands) {
   lamps_on_ = commands.switches.size() > kLamps && commands.switches[kLamps] != 0;
   const long steps = StepsIn(kControlPeriod);
   const auto before_end = std::lround(built_.world.robot.camera.delay_s / step_s_);
+  if (before_end >= steps) exposed_ = world_.truth();
   for (long i = 0; i < steps; ++i) {
     world_.Step(motors);
-    if (i + 1 == std::max(0L, steps - before_end)) exposed_ = world_.truth();
+    if (i + 1 == steps - before_end) exposed_ = world_.truth();
   }
 }
 

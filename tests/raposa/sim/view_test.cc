@@ -1,6 +1,7 @@
 // What the back camera shows is where the truth says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/read/yaml_tree.h"
@@ -113,6 +114,37 @@ TEST(RaposaView, OnlyTheDiscThatTheHoleLeavesIsLit) {
     }
   }
   EXPECT_LT(outside / n_outside, 0.2 * inside / n_inside);
+}
+
+// The robot turns in place. An image without delay is of its pose now, one with the largest delay
+// of its pose a period ago.
+TEST(RaposaView, ImageIsOfThePoseBeforeItsDelay) {
+  const double period_s = kTickSeconds * kControlPeriod;
+  for (const double delay_s : {0.0, 0.05, period_s}) {
+    Start start = At(0.7, 0.0);
+    start.built.world.robot.camera.delay_s = delay_s;
+    RaposaPlant plant(start.scenario, start.built, std::make_shared<KeptRenderer>());
+    Commands turn = BrakedCommands();
+    const MotorCommands belts = Belts(start.built.world, -0.03, 0.03);
+    std::copy(belts.begin(), belts.end(), turn.motors.begin());
+    for (int i = 0; i < 4; ++i) plant.Advance(turn);
+    const BackCameraModel& camera = start.built.world.robot.camera;
+    const auto guide_px = [&] {
+      plant.Sense();  // brings the truth up to date
+      const Pose3 X_CP = Inverse(plant.truth().X_WR * camera.X_RC) * plant.truth().X_WP;
+      return camera.camera.Project(X_CP * Eigen::Vector3d::Zero())->x();
+    };
+    const double before_px = guide_px();
+    plant.Advance(turn);
+    const double now_px = guide_px();
+    ASSERT_GT(std::abs(now_px - before_px), 4.0);
+    const Region orange =
+        Find(std::get<RgbImage>(plant.TakeImages({kBackCamera}, 0.0).at(0).pixels), true);
+    ASSERT_GT(orange.pixels, 50);
+    EXPECT_NEAR(orange.sum_u / orange.pixels, now_px + (before_px - now_px) * delay_s / period_s,
+                2.0)
+        << delay_s;
+  }
 }
 
 }  // namespace
