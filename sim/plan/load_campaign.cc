@@ -165,7 +165,8 @@ void AddLabels(Campaign& campaign) {
 void ReadFigures(const YamlReader& root, const std::vector<std::string>& measures,
                  Campaign& campaign) {
   campaign.figures.measures = {"success"};
-  if (!root.Has("figures")) return;
+  // Nothing: of a campaign's file whose figures are taken out, with --set figures=.
+  if (!root.Has("figures") || root.Child("figures").kind == YamlNode::Kind::kNull) return;
   const YamlReader in(root.Child("figures"), "figures", {"x", "curves", "panels", "measures"});
   std::vector<std::string> labels = campaign.labels;
   if (campaign.sets_controller) labels.push_back("controller");

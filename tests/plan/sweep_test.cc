@@ -133,6 +133,7 @@ TEST_F(SweepFile, DryRunIsATableOfTheSameRuns) {
 TEST_F(SweepFile, PlotsMeasuresOfItsSystem) {
   EXPECT_THAT(Load("figures: {measures: [distance_to_toy]}\n").figures.measures,
               ElementsAre("distance_to_toy"));
+  EXPECT_THAT(Load("figures:\n").figures.measures, ElementsAre("success"));
   EXPECT_THAT(Message("figures: {measures: [distance_to_other]}\n"),
               HasSubstr("expected a column of results.csv, found 'distance_to_other'"));
   EXPECT_THAT(Message("figures: {measures: [sucess]}\n"), HasSubstr("nearest is 'success'"));
