@@ -446,6 +446,26 @@ TEST(Pilot, SearchesAThingWithoutASquareOnce) {
   EXPECT_NEAR(pilot.Hints().refuted[0].range_m, 0.8, 0.02);
 }
 
+// While it glances to either side of a near guide a far thing comes into view: to go round that
+// would lead 16 m away.
+TEST(Pilot, GoesRoundNoFarThingThatComesIntoViewAtAGlance) {
+  const Nominal nominal = RobotNominal();
+  PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
+  Pilot pilot(nominal, {});
+  PyramidSighting near = LoneThing(0.0, 0.55), far = LoneThing(0.05, 12.0);
+  near.guide->without_square.reset();
+  far.guide->without_square.reset();
+  int glances = 0;  // after the first it backs off
+  Phase before = pilot.phase();
+  for (int i = 0; i < 600; ++i) {
+    if (pilot.phase() == Phase::kGlance && before != Phase::kGlance) ++glances;
+    before = pilot.phase();
+    robot.Step(pilot.Step(robot.Sense(), glances < 2 ? &near : &far, 0.05));
+    ASSERT_NE(pilot.phase(), Phase::kLeg);
+  }
+  EXPECT_EQ(glances, 2);
+}
+
 // The images of one do not count for the other.
 TEST(Pilot, RefutesNeitherOfTwoThingsThatTakeTurnsInTheImage) {
   const Nominal nominal = RobotNominal();
