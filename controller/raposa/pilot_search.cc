@@ -17,7 +17,7 @@ constexpr double kAllRound_rad = Radians(620.0);
 // The guide was in view at the start: across that direction, within this, a thing behind it moves
 // away from it in the image. Assumed, 10-30 deg.
 constexpr double kAcross_rad = Radians(20.0);
-// A guide that is so much farther off than the one that it creeps up to is another. Assumed, 1.3-2.
+// Of the range at which it stops to creep; a guide beyond is another one. Assumed, 1.3-2.
 constexpr double kAnother = 1.5;
 // Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
 constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
@@ -179,13 +179,12 @@ Twist Pilot::Creep() {
 
 Twist Pilot::Glance() {
   const bool bare = HasNoSquare(guide_, options_.agreeing_images) && !tries_.all_refuted;
-  if (here_.fits > 0 || bare || UnseenFor(guide_, now_) > options_.lost_s) {
-    Enter(Phase::kLook, here_.fits > 0 ? "marks next to the guide" : "no square by this guide");
-    return {};
-  }
   // It glances at near guides alone. To go round a far thing would lead away from the near one.
-  if (guide_.last->range_m > kAnother * options_.creep_to_m) {
-    Enter(Phase::kLook, "another thing is in view");
+  const bool another = guide_.last->range_m > kAnother * options_.creep_to_m;
+  if (here_.fits > 0 || bare || another || UnseenFor(guide_, now_) > options_.lost_s) {
+    Enter(Phase::kLook, here_.fits > 0 ? "marks next to the guide"
+                        : another      ? "another thing is in view"
+                                       : "no square by this guide");
     return {};
   }
   const double left = guide_.last->bearing_rad - round_.glance_side * options_.glance_rad;

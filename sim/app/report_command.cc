@@ -52,8 +52,8 @@ Examples:
 The page has success with exact intervals, failures by cause, a map of the starts, curves over the
 numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run
 whose log is kept (`keep` in the campaign's file). Where a log keeps some of the images alone
-(log_image_gap_s) --all-images simulates the run again for the others. --reliability and --require on `success` draw
-their limit into the curves.
+(log_image_gap_s) --all-images simulates the run again for the others. --reliability and --require
+on `success` draw their limit into the curves.
 
 --svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts
 from above with how they ended; of a run path.svg and history.svg, its path and its channels over
