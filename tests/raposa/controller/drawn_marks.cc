@@ -194,6 +194,11 @@ Nominal TestNominal(double lever_m) {
   nominal.door_pinion_radius_m = 0.01;
   nominal.door_travel_m = 0.02;
   nominal.p_RS = {-lever_m - 0.08, 0.0, 0.0};
+  // Of the drawn paints.
+  nominal.ferreira_vision.orange = {
+      .hue_from = 4, .hue_to = 18, .saturation_from = 85, .value_from = 43};
+  nominal.ferreira_vision.blue = {
+      .hue_from = 100, .hue_to = 125, .saturation_from = 70, .value_from = 30};
   // Half as fine a camera as the robot's: a quarter of the area, twice the gains of a pixel.
   nominal.ferreira_vision.least_area_px2 = 12.0;
   nominal.ferreira_motion.k_angular_rad_s_px *= 2.0;

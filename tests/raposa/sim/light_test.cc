@@ -60,10 +60,7 @@ TEST(RaposaLight, InTheDarkTheLampsAloneShowTheGuide) {
 // change of the start by 0.5 um.
 TEST(RaposaLight, BandsOfOneLightFailInAnotherAndThoseTunedThereDoNot) {
   const auto renderer = std::make_shared<KeptRenderer>();
-  // Those of scenarios/raposa_point_9.yaml.
-  FerreiraVision usual;
-  usual.orange = {8, 18, 64, 255, 60, 255};
-  usual.blue = {105, 116, 69, 255, 55, 255};
+  const FerreiraVision usual;
   EXPECT_GE(RightIn(5000.0, usual.orange, usual.blue, renderer), 11);
   for (const double light_k : {3000.0, 10000.0}) {
     EXPECT_LE(RightIn(light_k, usual.orange, usual.blue, renderer), 7) << light_k;
