@@ -65,7 +65,7 @@ struct DockyardOptions {
   double look_low_rad = Radians(14.0);  // to see a guide that is low in the view; assumed, 10-18
   double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 8 mm; 0-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
-  double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
+  double phase_s = 90.0;   // of any phase; the longest, a search, takes 84; assumed, 90-120
   int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20
   double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
@@ -100,9 +100,12 @@ struct DockyardOptions {
   int elsewheres = 1;             // moves after it found nothing all round; assumed, 1-3
   double elsewhere_m = 0.45;  // from the last one: moves a thing 0.3 m behind a guide at 1.3 m by
                               // 3 deg against it; assumed, 0.3-0.6
-  double most_search_rad = 6.0 * kPi;       // from the last place; assumed, 2-4 turns
-  double search_rad_s = Radians(15.0);      // assumed, 8-25
-  double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
+  double most_search_rad = 7.0 * kPi;   // from the last place; assumed, 3-4 turns
+  double search_rad_s = Radians(15.0);  // assumed, 8-25
+  // Doubled at each switch: 26, 52, 104, 208, 416 deg. The last one goes all round with belts that
+  // make 0.8 of their turns; assumed, 24-40.
+  double first_search_rad = Radians(26.0);
+  double all_round_rad() const { return 31.0 * first_search_rad; }
 
   // Doors. Openings are of each door from closed.
   double brake_s = 0.3;        // assumed, 0.2-0.6

@@ -23,6 +23,7 @@ FerreiraMotion SearchOptions(const DockyardOptions& options) {
   FerreiraMotion search;
   search.search_turn_rad_s = options.search_rad_s;
   search.first_search_rad = options.first_search_rad;
+  search.most_search_rad = 16.0 * options.first_search_rad;
   return search;
 }
 

@@ -12,8 +12,6 @@ namespace {
 // A standing robot turns to a guide that is cut by the view's edge and so far aside; assumed, 4-8
 // deg.
 constexpr double kAside_rad = Radians(6.0);
-// A search to and fro by 20, 40, 80, 160 and 320 deg has then seen all round.
-constexpr double kAllRound_rad = Radians(620.0);
 // The guide was in view at the start: across that direction, within this, a thing behind it moves
 // away from it in the image. Assumed, 10-30 deg.
 constexpr double kAcross_rad = Radians(20.0);
@@ -122,7 +120,7 @@ Twist Pilot::Search() {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
   tries_.searched_rad += std::abs(turned_rad_);
-  if (filter_.located() && !round_.other_side && tries_.searched_rad > kAllRound_rad) {
+  if (filter_.located() && !round_.other_side && tries_.searched_rad > options_.all_round_rad()) {
     // It stands where the pyramid hides its guide: it went round it by the wrong side, or by a
     // wrong pose.
     round_.other_side = true;
@@ -132,7 +130,7 @@ Twist Pilot::Search() {
     GoRound();
     return {};
   }
-  if (tries_.searched_rad > kAllRound_rad && !refuted_.empty() && !tries_.all_refuted) {
+  if (tries_.searched_rad > options_.all_round_rad() && !refuted_.empty() && !tries_.all_refuted) {
     // One of them is the pyramid after all, seen from behind.
     tries_.all_refuted = true;
     refuted_.Clear();
@@ -140,7 +138,8 @@ Twist Pilot::Search() {
   // From here, the guide and a thing behind it may be one orange region.
   const bool again = tries_.elsewheres < options_.elsewheres;
   const bool across = std::abs(std::cos(tries_.from_start_rad)) < std::sin(kAcross_rad);
-  if (tries_.searched_rad > (tries_.all_refuted ? options_.most_search_rad : kAllRound_rad) &&
+  if (tries_.searched_rad >
+          (tries_.all_refuted ? options_.most_search_rad : options_.all_round_rad()) &&
       across && again) {
     ++tries_.elsewheres;
     tries_.searched_rad = 0.0;

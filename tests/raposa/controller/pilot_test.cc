@@ -498,6 +498,14 @@ TEST(Pilot, MovesAcrossTheLineOfSightWhileTwoPosesAreLikelyAndClaimsNoAngle) {
   EXPECT_LT(std::abs(along_m), 0.06);
 }
 
+TEST(Pilot, FindsAGuideInAnyDirectionWithBeltsThatMakeLessOfTheirTurns) {
+  for (int aside_deg = -180; aside_deg < 180; aside_deg += 20) {
+    const Drive drive = RunPilot(1.2, 20.0, {.share = 0.82}, aside_deg);
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << aside_deg;
+    EXPECT_LT(drive.time_s, 100.0) << aside_deg;  // without a move to another place
+  }
+}
+
 // As a thing of the guide's colour behind it does, along one line of sight. It creeps on by a metre
 // at first; that leads along the line.
 TEST(Pilot, SearchesFromElsewhereWhereItFoundNothingAllRound) {
