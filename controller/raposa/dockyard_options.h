@@ -97,15 +97,11 @@ struct DockyardOptions {
   double believed_from_m = 0.35;  // in camera range a believed guide must show; assumed, 0.3-0.5
   double refuted_m = 0.12;        // about a thing that is no guide; assumed, 0.08-0.2 ...
   double refuted_share = 0.08;    // ... and so much of its range; assumed, 0.05-0.15
-  int elsewheres = 1;             // moves after it found nothing all round; assumed, 1-3
-  double elsewhere_m = 0.45;  // from the last one: moves a thing 0.3 m behind a guide at 1.3 m by
-                              // 3 deg against it; assumed, 0.3-0.6
   double most_search_rad = 7.0 * kPi;   // from the last place; assumed, 3-4 turns
   double search_rad_s = Radians(15.0);  // assumed, 8-25
   // Doubled at each switch: 26, 52, 104, 208, 416 deg. The last one goes all round with belts that
   // make 0.8 of their turns; assumed, 24-40.
   double first_search_rad = Radians(26.0);
-  double all_round_rad() const { return 31.0 * first_search_rad; }
 
   // Doors. Openings are of each door from closed.
   double brake_s = 0.3;        // assumed, 0.2-0.6

@@ -12,6 +12,10 @@ namespace {
 // A standing robot turns to a guide that is cut by the view's edge and so far aside; assumed, 4-8
 // deg.
 constexpr double kAside_rad = Radians(6.0);
+// Moves to another place, after it found nothing all round; assumed, 1-3. So far, a thing 0.3 m
+// behind a guide at 1.3 m moves by 3 deg against it; assumed, 0.3-0.6 m.
+constexpr int kElsewheres = 1;
+constexpr double kElsewhere_m = 0.45;
 // The guide was in view at the start: across that direction, within this, a thing behind it moves
 // away from it in the image. Assumed, 10-30 deg.
 constexpr double kAcross_rad = Radians(20.0);
@@ -19,6 +23,9 @@ constexpr double kAcross_rad = Radians(20.0);
 constexpr double kAnother = 1.5;
 // Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
 constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
+
+/// Of a search's five swings, each twice as far as the one before.
+double AllRound(const DockyardOptions& options) { return 31.0 * options.first_search_rad; }
 
 }  // namespace
 
@@ -120,7 +127,7 @@ Twist Pilot::Search() {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
   tries_.searched_rad += std::abs(turned_rad_);
-  if (filter_.located() && !round_.other_side && tries_.searched_rad > options_.all_round_rad()) {
+  if (filter_.located() && !round_.other_side && tries_.searched_rad > AllRound(options_)) {
     // It stands where the pyramid hides its guide: it went round it by the wrong side, or by a
     // wrong pose.
     round_.other_side = true;
@@ -130,23 +137,22 @@ Twist Pilot::Search() {
     GoRound();
     return {};
   }
-  if (tries_.searched_rad > options_.all_round_rad() && !refuted_.empty() && !tries_.all_refuted) {
+  if (tries_.searched_rad > AllRound(options_) && !refuted_.empty() && !tries_.all_refuted) {
     // One of them is the pyramid after all, seen from behind.
     tries_.all_refuted = true;
     refuted_.Clear();
   }
   // From here, the guide and a thing behind it may be one orange region.
-  const bool again = tries_.elsewheres < options_.elsewheres;
+  const bool again = tries_.elsewheres < kElsewheres;
   const bool across = std::abs(std::cos(tries_.from_start_rad)) < std::sin(kAcross_rad);
-  if (tries_.searched_rad >
-          (tries_.all_refuted ? options_.most_search_rad : options_.all_round_rad()) &&
+  if (tries_.searched_rad > (tries_.all_refuted ? options_.most_search_rad : AllRound(options_)) &&
       across && again) {
     ++tries_.elsewheres;
     tries_.searched_rad = 0.0;
     tries_.all_refuted = false;
     search_.Begin(std::sin(tries_.from_start_rad));  // back to where the guide was
     Enter(Phase::kBack, "searches from elsewhere");
-    here_.back_m = options_.elsewhere_m;
+    here_.back_m = kElsewhere_m;
     return {};
   }
   if ((tries_.searched_rad > options_.most_search_rad && !again) ||
