@@ -156,14 +156,20 @@ TEST(ProgramFrames, WritesTheImagesOfALogWithAndWithoutMarks) {
   EXPECT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 10);
 }
 
-// One image a second, the others made again: the replay has all of them, bit for bit.
-TEST(ProgramFrames, MakesImagesThatALogDoesNotKeepByARunAnew) {
-  const TemporaryFolder folder;
-  const std::string scenario = "run scenarios/raposa_point_9.yaml --set time_limit_s=1.5";
-  const std::string thin = (folder.path() / "thin").string(),
+/// The folders of one run: its log keeps one image a second, and all.
+std::pair<std::string, std::string> ThinAndWhole(const TemporaryFolder& folder) {
+  const std::string scenario = "run scenarios/raposa_point_9.yaml --set time_limit_s=1.5",
+                    thin = (folder.path() / "thin").string(),
                     whole = (folder.path() / "whole").string();
   Dockyard(scenario + " --out " + thin);
   Dockyard(scenario + " --set log_image_gap_s=0 --out " + whole);
+  return {thin, whole};
+}
+
+// One image a second, the others made again: the replay has all of them, bit for bit.
+TEST(ProgramFrames, MakesImagesThatALogDoesNotKeepByARunAnew) {
+  const TemporaryFolder folder;
+  const auto [thin, whole] = ThinAndWhole(folder);
   EXPECT_LT(3 * fs::file_size(fs::path(thin) / "run.mcap"),
             fs::file_size(fs::path(whole) / "run.mcap"));
   const fs::path made = folder.path() / "made", kept = folder.path() / "kept";
@@ -180,11 +186,7 @@ TEST(ProgramFrames, MakesImagesThatALogDoesNotKeepByARunAnew) {
 // The page of a log that keeps one image a second is as large as that of a log that keeps all.
 TEST(ProgramReport, MakesImagesThatALogDoesNotKeepByARunAnew) {
   const TemporaryFolder folder;
-  const std::string scenario = "run scenarios/raposa_point_9.yaml --set time_limit_s=1.5";
-  const std::string thin = (folder.path() / "thin").string(),
-                    whole = (folder.path() / "whole").string();
-  Dockyard(scenario + " --out " + thin);
-  Dockyard(scenario + " --set log_image_gap_s=0 --out " + whole);
+  const auto [thin, whole] = ThinAndWhole(folder);
   const fs::path kept = folder.path() / "kept.html", made = folder.path() / "made.html",
                  all = folder.path() / "all.html";
   ASSERT_EQ(Dockyard("report " + thin + " --out " + kept.string()).code, 0);
