@@ -174,14 +174,14 @@ void AddReportCommand(CLI::App& app, Invocation& call) {
       ->add_option("--most-mib", arguments->most_mib,
                    "largest file; replays beyond it are left out, and told [50]")
       ->check(CLI::Range(2, 380));
-  command->add_flag("--svg", arguments->svg, "instead: figures as SVG files");
+  CLI::Option* svg = command->add_flag("--svg", arguments->svg, "instead: figures as SVG files");
   command->add_flag("--json", arguments->json, "print what was written as JSON");
   CLI::Option* no_images = command->add_flag("--no-pictures", arguments->no_images,
                                              "replays without the cameras' images");
   command
       ->add_flag("--all-images", arguments->all_images,
                  "simulate again the runs whose logs keep some of their images alone")
-      ->excludes(no_images);
+      ->excludes(no_images, svg);
   command
       ->add_option("--reliability", arguments->reliability,
                    "say whether the runs show this share of successes")
