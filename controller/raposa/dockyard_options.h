@@ -65,7 +65,7 @@ struct DockyardOptions {
   double look_low_rad = Radians(14.0);  // to see a guide that is low in the view; assumed, 10-18
   double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 8 mm; 0-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
-  double phase_s = 90.0;   // of any phase; the longest, a search, takes 84; assumed, 90-120
+  double phase_s = 100.0;  // of any phase; the longest, a search, takes 96; assumed, 98-120
   int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20
   double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
