@@ -21,13 +21,13 @@ struct GatePlan {
   double time_s = 0.0;    // as reckoned
 };
 
-/// From N's pose in D to the soonest gate on the axis, with at most two waypoints round the
-/// pyramid, each leg forwards or backwards, whichever turns less in all. A robot too near to turn
-/// drives away first. Every leg, and every turn, keeps its distance from the pyramid.
 /// A leg across the line of sight to the guide, towards the gate: what it changes in the image
 /// tells a pose from its mirrored one.
 Leg AcrossSight(const Pose2& X_DN, double length_m, const DockyardOptions& options);
 
+/// From N's pose in D to the soonest gate on the axis, with at most two waypoints round the
+/// pyramid, each leg forwards or backwards, whichever turns less in all. A robot too near to turn
+/// drives away first. Every leg, and every turn, keeps its distance from the pyramid.
 GatePlan PlanToGate(const Pose2& X_DN, const Nominal& nominal, const DockyardOptions& options);
 
 /// Whether the robot can drive straight in from there.

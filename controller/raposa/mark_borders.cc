@@ -25,6 +25,7 @@ float MarksIn(const LayerImage& layers, std::size_t cell) {
 double ShareBeyond(const FitWindow& window, const LayerImage& layers, const LayerColours& colours,
                    Layer mark) {
   const Eigen::Vector2f colour = colours.row(static_cast<Eigen::Index>(mark)).transpose();
+  const Eigen::Vector2f sky = colours.row(kSky).transpose();
   int count = 0, like = 0;
   std::size_t k = 0;
   for (int row = 0; row < window.rows; ++row) {
@@ -32,7 +33,9 @@ double ShareBeyond(const FitWindow& window, const LayerImage& layers, const Laye
       if (window.open[k] == 0.0f || MarksIn(layers, k) >= kOfMarks) continue;
       if (!Near(window, layers.Shares(mark), column, row)) continue;
       ++count;
-      like += window.seen[k].dot(colour) > 0.5f * colour.squaredNorm();
+      // The cells of a horizon are half of the sky's colour, which may be blue.
+      const Eigen::Vector2f ground = window.seen[k] - layers.Shares(kSky)[k] * sky;
+      like += ground.dot(colour) > 0.5f * colour.squaredNorm();
     }
   }
   return count > 0 ? static_cast<double>(like) / count : 0.0;

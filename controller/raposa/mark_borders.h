@@ -15,7 +15,7 @@ inline constexpr float kOtherThing = 5.0f;
 float MarksIn(const LayerImage& layers, std::size_t cell);
 
 /// Of the cells close round a mark, and outside of all, the share with its colour rather than the
-/// ground's. A true mark has almost 0; a part of something larger almost 1.
+/// ground's or the sky's. A true mark has almost 0; a part of something larger almost 1.
 double ShareBeyond(const FitWindow& window, const LayerImage& layers, const LayerColours& colours,
                    Layer mark);
 

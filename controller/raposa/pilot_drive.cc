@@ -17,6 +17,9 @@ constexpr double kLegSettle_m = 0.3, kLegTurn_rad_s = 0.5, kLegGain_per_s = 1.5,
 // The way in is broken off outside of a wider cone, and not any more in its last part. Assumed,
 // 0.016-0.03 m, 0.08-0.2, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
 constexpr double kOff_m = 0.02, kOffSlope = 0.1, kOffHeading = 1.5, kCommitted_m = 0.03;
+// A guide farther aside of the robot's own axis would meet the funnel's rim: the last images of
+// docked runs have it within 7 mm. Assumed, 0.01-0.02 m and 0.2-0.4.
+constexpr double kAside_m = 0.012, kAsideSlope = 0.3;
 constexpr double kApproachTurn_rad_s = 0.35;
 // On the way in the guide keeps so far from the view's edge, as foretold for this time after the
 // command. Assumed, 1-4 deg and 0.2-0.5 s.
@@ -169,6 +172,7 @@ Twist Pilot::Approach() {
       return {};
     }
     if (std::abs(X_DN.y) > kOff_m + kOffSlope * ahead_m ||
+        std::abs(Inverse(X_DN).y) > kAside_m + kAsideSlope * ahead_m ||
         std::abs(WrapPi(X_DN.heading - kPi)) > kOffHeading * options_.cone_heading_rad) {
       TryAgain("too far off the axis");
       return {};

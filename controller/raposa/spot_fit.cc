@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "controller/raposa/mark_criteria.h"
 
@@ -13,11 +14,19 @@ constexpr double kPitchSigma = Radians(2.0);  // of the camera against its told 
 constexpr double kRollSigma = Radians(1.5);   // ground under robot and pyramid; assumed, 1-3 deg
 constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed, 5-15 mm
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
-constexpr int kGridCells = 250, kFitCells = 1000;   // of a window
+// Of a window, at most. From kFine_m on the strips are 4 px wide and less: cells of 4 px would hide
+// their edges, and ranges at 2.5-4 m be off by 5 instead of 3 %. Assumed, 1.2-2 m.
+constexpr int kGridCells = 250, kFitCells = 1000, kFineFitCells = 2000;
+constexpr double kFine_m = 1.6;
 // Of a window about the marks, at kLimitsFocal_px. Assumed, 5-10.
 constexpr double kMargin_px = 7.0;
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
 constexpr double kAreaRangeSigma = 0.3;
+// A fit with more misfit may have its square in another valley: too small, its paint counts as
+// another thing. It is tried from these shares of its range, too. One with far more is of another
+// thing. Assumed, 0.5-1.2, 4-6, 0.75-0.95, 1.05-1.25.
+constexpr double kPoorMisfit = 0.65, kHopelessMisfit = 5.0;
+constexpr std::array<double, 3> kOtherRanges{0.8, 0.9, 1.1};
 // Of a second pose's chi2 above the best one's, by the misfit: three sigmas.
 constexpr double kRivalChi2 = 9.0;
 
@@ -137,6 +146,46 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
   return starts;
 }
 
+/// The fit, or a better one from a square that is larger or smaller.
+PlaceFit FromOtherRanges(const Nominal& nominal, const FitWindow& window, const PlacePrior& prior,
+                         const PlaceFit& fit) {
+  PlaceFit best = fit;
+  if (fit.misfit < kPoorMisfit || fit.misfit > kHopelessMisfit) return best;
+  for (const double share : kOtherRanges) {
+    PyramidPlace from = fit.place;
+    from.X_VD.x *= share;
+    from.X_VD.y *= share;
+    const auto other = FitPlace(nominal, window, from, prior, MarksDrawn::kAll, 12);
+    if (other && other->chi2 < best.chi2) best = *other;
+  }
+  return best;
+}
+
+/// Of the whole pyramid, the likeliest first. Only one that can be the pyramid is worth other
+/// ranges: of other things they would make more that can.
+std::vector<PlaceFit> FitsFrom(const Nominal& nominal, const TintMap& map,
+                               const GroundColour& ground, const OrangeSpot& spot,
+                               const PlacePrior& prior, double r_m, Expected expected,
+                               const std::vector<PyramidPlace>& starts) {
+  std::vector<PlaceFit> fits;
+  if (starts.empty()) return fits;
+  const auto window = WindowOn(map, ground, RectOf(nominal, map, starts, MarksDrawn::kAll),
+                               r_m > kFine_m ? kFineFitCells : kFitCells,
+                               LowestHorizon(nominal, spot.centre_px.y(), r_m));
+  if (!window) return fits;
+  for (const PyramidPlace& from : starts) {
+    const auto fit = FitPlace(nominal, *window, from, prior, MarksDrawn::kAll, 12);
+    if (fit) fits.push_back(*fit);
+  }
+  std::ranges::stable_sort(fits, {}, &PlaceFit::chi2);
+  const auto first = std::ranges::find_if(
+      fits, [&](const PlaceFit& fit) { return IsPyramid(fit, prior, expected); });
+  if (first == fits.end()) return fits;
+  *first = FromOtherRanges(nominal, *window, prior, *first);
+  std::ranges::stable_sort(fits, {}, &PlaceFit::chi2);
+  return fits;
+}
+
 std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
                                    const GroundColour& ground, const OrangeSpot& spot,
                                    double pitch_rad, double r_m) {
@@ -194,24 +243,13 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
   } else {
     starts = Starts(nominal, map, *ground, spot, pitch_rad, r_m);
   }
-  double likeliest_chi2 = 1e30;
-  if (!starts.empty()) {
-    const auto window = WindowOn(map, *ground, RectOf(nominal, map, starts, MarksDrawn::kAll),
-                                 kFitCells, LowestHorizon(nominal, spot.centre_px.y(), r_m));
-    for (const PyramidPlace& from : starts) {
-      if (!window) break;
-      const PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
-      const auto fit = FitPlace(nominal, *window, from, prior, MarksDrawn::kAll, 12);
-      if (!fit) continue;
-      if (fit->chi2 < likeliest_chi2) {
-        likeliest_chi2 = fit->chi2;
-        out.likely_alpha_rad = AlphaOf(fit->place.X_VD);
-      }
-      if (IsPyramid(*fit, prior, start ? Expected::kThere : Expected::kAnywhere))
-        out.poses.push_back(*fit);
-    }
-  }
-  std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);
+  const PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
+  const Expected expected = start ? Expected::kThere : Expected::kAnywhere;
+  const std::vector<PlaceFit> fits =
+      FitsFrom(nominal, map, *ground, spot, prior, r_m, expected, starts);
+  if (!fits.empty()) out.likely_alpha_rad = AlphaOf(fits.front().place.X_VD);
+  std::ranges::copy_if(fits, std::back_inserter(out.poses),
+                       [&](const PlaceFit& fit) { return IsPyramid(fit, prior, expected); });
   if (out.poses.size() > 2) out.poses.resize(2);
   if (out.poses.size() == 2) {
     const double scale = std::max(1.0, out.poses[0].misfit);

@@ -102,6 +102,7 @@ void Count(const TakenImage& taken, const ImageSetup& setup, Tally* tally, bool 
     return;
   }
   ++tally->posed;
+  if (std::abs(range_off) > 0.08 * range) tell("range");
   tally->two += sighting.fits.size() > 1;
   const PyramidFit* best = &sighting.fits.front();
   tally->misfit += best->misfit;

@@ -55,6 +55,31 @@ TEST(RaposaLight, InTheDarkTheLampsAloneShowTheGuide) {
   EXPECT_EQ(FoundIn(1e-5, false, renderer), 0);
 }
 
+// The sky ends close above the square, whose rows it half fills: it is no blue thing that goes on
+// beyond the marks, and the square is not taken for a smaller one farther off.
+TEST(RaposaLight, SkyCloseAboveTheSquareChangesNoRange) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  int posed = 0, right = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const double step = 1e-2 * static_cast<double>(seed);
+    const TakenImage taken = ExposeColourViewOf({.r_m = 1.95 + step,
+                                                 .alpha_rad = Radians(-16.0 - 40.0 * step),
+                                                 .light_k = 4200.0,
+                                                 .ground = "sand",
+                                                 .seed = seed},
+                                                renderer);
+    const PyramidSighting sighting =
+        PyramidFinder(taken.nominal).Find(taken.image, taken.pitch_rad);
+    if (sighting.fits.empty()) continue;
+    ++posed;
+    const Pose2& X_VD = sighting.fits.front().X_VD;
+    const double range_m = std::hypot(taken.X_VD.x, taken.X_VD.y);
+    right += std::abs(std::hypot(X_VD.x, X_VD.y) / range_m - 1.0) < 0.12;
+  }
+  EXPECT_GE(posed, 22);
+  EXPECT_GE(right, posed - 1);
+}
+
 // F, C.3: the user adjusts the thresholds when the light changes. How good they are then depends on
 // the one image that they are made on: over eight of them 79 of 96 are right, 87 of 96 before a
 // change of the start by 0.5 um.
