@@ -34,7 +34,7 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
                    const ApproachOptions& options)
     : nominal_(nominal),
       options_(options),
-      stereo_(nominal),
+      stereo_(nominal, options.front_end),
       memory_{.tracker = std::move(tracker), .compares = options.sees_motion},
       drive_(nominal),
       target_(options.odometry) {}

@@ -16,6 +16,7 @@
 namespace dockyard::rocky7 {
 
 struct ApproachOptions {
+  FrontEnd front_end = FrontEnd::kSandAndStones;
   double image_share = 0.1;    // of the way that is left, then the rover looks
   double least_step_m = 0.03;  // what is left is driven at once when it is no longer than this
   // Of an arc to the target all but the last bit is driven at once, with a look each time it has

@@ -23,7 +23,7 @@ FaceApproach::FaceApproach(const Nominal& nominal, std::unique_ptr<FaceTracker> 
                            const FaceApproachOptions& options)
     : nominal_(nominal),
       options_(options),
-      stereo_(nominal),
+      stereo_(nominal, options.front_end),
       tracker_(std::move(tracker)),
       drive_(nominal),
       mast_(nominal),

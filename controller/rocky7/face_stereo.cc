@@ -47,6 +47,13 @@ MatchSettings SearchAbout(const PlaneDisparity& expected, int either_side_px) {
           .ground = expected};
 }
 
+// The paper's front end: 128 px about the expected disparity, which reach from 0 on at first.
+MatchSettings Blocks7About(double expected_px) {
+  constexpr int kCount_px = 128;
+  const int least_px = std::max(0, static_cast<int>(expected_px) - kCount_px / 2);
+  return {.matcher = Matcher::kBlocks, .block_px = 7, .least_px = least_px, .count_px = kCount_px};
+}
+
 GrayImage Rows(const GrayImage& image, int top, int bottom) {
   const auto begin = image.pixels.begin();
   return {image.width,
@@ -61,8 +68,8 @@ Pose3 LevelFrame(const Nominal& nominal, const ImuSample& attitude) {
           Eigen::Vector3d(0.0, 0.0, nominal.rolling_radius_m)};
 }
 
-FaceStereo::FaceStereo(const Nominal& nominal)
-    : nominal_(nominal), rectifier_(nominal.mast.pair_K) {}
+FaceStereo::FaceStereo(const Nominal& nominal, FrontEnd front_end)
+    : nominal_(nominal), front_end_(front_end), rectifier_(nominal.mast.pair_K) {}
 
 FaceView FaceStereo::Look(const StereoImages& images, const MastAngles& angles,
                           const ImuSample& attitude,
@@ -79,6 +86,10 @@ FaceView FaceStereo::Look(const StereoImages& images, const MastAngles& angles,
     expected.a = scale_px_m / std::max(0.2, depth_m);
   }
   view.images = rectifier_.Rectified(images);
+  if (front_end_ == FrontEnd::kBlocks7) {
+    view.disparities = Match(rectifier_, images, Blocks7About(expected.a));
+    return view;
+  }
   view.disparities = WithoutPlainParts(
       Match(rectifier_, images, SearchAbout(expected, kEitherSide_px)), view.images.left);
   return view;

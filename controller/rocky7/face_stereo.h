@@ -26,7 +26,7 @@ struct FaceView {
 
 class FaceStereo {
  public:
-  explicit FaceStereo(const Nominal& nominal);
+  explicit FaceStereo(const Nominal& nominal, FrontEnd front_end = FrontEnd::kSandAndStones);
 
   /// @param angles  of the mast when the pictures were taken, at the attitude of the sample
   /// @param p_ET    where the target is expected; none: anywhere from 1.8 m on
@@ -46,6 +46,7 @@ class FaceStereo {
 
  private:
   Nominal nominal_;
+  FrontEnd front_end_;
   Rectifier rectifier_;
 };
 

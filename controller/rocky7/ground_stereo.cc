@@ -33,16 +33,31 @@ Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
   return {R_ER.transpose() * Eigen::Vector3d::UnitZ(), -nominal.rolling_radius_m};
 }
 
+// By the paper's front end: the body pair's ground lies within 128 px from 0.2 m on.
+constexpr MatchSettings kBlocks7{.matcher = Matcher::kBlocks, .block_px = 7};
+
+int BlockOf(FrontEnd front_end) {
+  return front_end == FrontEnd::kBlocks7 ? kBlocks7.block_px
+                                         : SandAndStonesSettings{}.stones.block_px;
+}
+
+Disparities MatchGround(const Rectifier& rectifier, const StereoImages& images,
+                        const Plane& ground_R, FrontEnd front_end) {
+  if (front_end == FrontEnd::kBlocks7) return Match(rectifier, images, kBlocks7);
+  const PlaneDisparity ground = DisparityOf(rectifier.pair(), ground_R);
+  return WithoutEdges(MatchSandAndStones(rectifier, images, ground), ground);
+}
+
 }  // namespace
 
-GroundStereo::GroundStereo(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {}
+GroundStereo::GroundStereo(const Nominal& nominal, FrontEnd front_end)
+    : nominal_(nominal), front_end_(front_end), rectifier_(nominal.front) {}
 
 GroundScan GroundStereo::Look(const StereoImages& images, const ImuSample& attitude) const {
   GroundScan seen;
   seen.ground_R = GroundIn(nominal_, attitude);
   seen.X_RE = FrameOn(seen.ground_R);
-  const PlaneDisparity ground = DisparityOf(rectifier_.pair(), seen.ground_R);
-  seen.disparities = WithoutEdges(MatchSandAndStones(rectifier_, images, ground), ground);
+  seen.disparities = MatchGround(rectifier_, images, seen.ground_R, front_end_);
   return seen;
 }
 
@@ -56,7 +71,7 @@ GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d
                              .x_high_m = p_E.x() + kHalf_m,
                              .y_low_m = p_E.y() - kHalf_m,
                              .y_high_m = p_E.y() + kHalf_m};
-  const int block_px = SandAndStonesSettings{}.stones.block_px;
+  const int block_px = BlockOf(front_end_);
   GroundMaps maps;
   maps.p_EC = p_EC;
   maps.focal_baseline_px_m = pair.focal_px * pair.baseline_m;
@@ -70,13 +85,12 @@ GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d
 GroundImage GroundStereo::ImageAhead(const GroundScan& seen, const StereoImages& images) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
-  ElevationMap heights =
-      MapHeights(pair, seen.disparities, seen.ground_R, SandAndStonesSettings{}.stones.block_px,
-                 {.cell_m = kFinest_m,
-                  .x_low_m = p_EC.x(),
-                  .x_high_m = p_EC.x() + kAhead_m,
-                  .y_low_m = -kAside_m,
-                  .y_high_m = kAside_m});
+  ElevationMap heights = MapHeights(pair, seen.disparities, seen.ground_R, BlockOf(front_end_),
+                                    {.cell_m = kFinest_m,
+                                     .x_low_m = p_EC.x(),
+                                     .x_high_m = p_EC.x() + kAhead_m,
+                                     .y_low_m = -kAside_m,
+                                     .y_high_m = kAside_m});
   FillGaps(kGap_cells, heights);
   return FromAbove(pair, rectifier_.Rectified(images).left, heights);
 }

@@ -38,7 +38,7 @@ struct Clicked {
 
 class GroundStereo {
  public:
-  explicit GroundStereo(const Nominal& nominal);
+  explicit GroundStereo(const Nominal& nominal, FrontEnd front_end = FrontEnd::kSandAndStones);
 
   /// The pictures were taken at the attitude of this sample.
   GroundScan Look(const StereoImages& images, const ImuSample& attitude) const;
@@ -59,6 +59,7 @@ class GroundStereo {
 
  private:
   Nominal nominal_;
+  FrontEnd front_end_;
   Rectifier rectifier_;
 };
 

@@ -34,7 +34,8 @@ class HighestPoint final : public TargetTracker {
 
 std::unique_ptr<Controller> MakeNesnas2000Controller(const Nominal& nominal) {
   if (nominal.task == Task::kPlace) return MakeNesnas2000Placement(nominal);
-  const ApproachOptions options{.image_share = nominal.nesnas.image_share,
+  const ApproachOptions options{.front_end = nominal.nesnas.front_end,
+                                .image_share = nominal.nesnas.image_share,
                                 .least_step_m = nominal.nesnas.least_step_m};
   return std::make_unique<Mission>(nominal, std::make_unique<HighestPoint>(nominal.nesnas), options,
                                    MissionOptions{});

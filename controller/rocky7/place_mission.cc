@@ -97,7 +97,8 @@ std::unique_ptr<Controller> MakeDockyardPlacement(const Nominal& nominal) {
 }
 
 std::unique_ptr<Controller> MakeNesnas2000Placement(const Nominal& nominal) {
-  const FaceApproachOptions options{.image_share = nominal.nesnas.image_share,
+  const FaceApproachOptions options{.front_end = nominal.nesnas.front_end,
+                                    .image_share = nominal.nesnas.image_share,
                                     .least_step_m = nominal.nesnas.least_step_m,
                                     .most_looks = kTenths};
   return std::make_unique<PlaceMission>(nominal, MakeTopTracker(nominal.nesnas), options, 1);

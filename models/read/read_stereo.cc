@@ -47,8 +47,8 @@ void VisitStereo(Keys& keys, const char* key, StereoFile& file) {
     VisitMounting(in, stereo.right_mounting, "right_mounting");
     in.File(Unset("file"), file.rig);
     const bool own = file.rig.empty();
-    for (const char* of_rig :
-         {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
+    for (const char* of_rig : {"baseline_m", "forward_m", "height_m", "pitch_deg",
+                               "field_of_view_deg", "width_px", "height_px"}) {
       in.Allow(of_rig, own, "no such key beside " + std::string(key) + ".file, which sets it");
     }
     in.Degrees(in.NeededIf(own, "field_of_view_deg"), file.field_of_view_rad, Between(10.0, 200.0));
@@ -56,20 +56,21 @@ void VisitStereo(Keys& keys, const char* key, StereoFile& file) {
     in.Number(in.NeededIf(own, "forward_m"), file.forward_m, Between(-2.0, 2.0));
     in.Number(in.NeededIf(own, "height_m"), file.height_m, Between(-2.0, 3.0));
     in.Degrees(Optional("pitch_deg"), file.pitch_rad, Between(-60.0, 60.0));
+    in.Integer(Optional("width_px"), file.size.width, 64, 4096);
+    in.Integer(in.NeededIf(file.size.width > 0, "height_px"), file.size.height, 64, 4096);
     in.Mapping("as_built", [&](Keys& inner) { VisitAsBuilt(inner, stereo); });
     in.Mapping("sensor",
                [&](Keys& inner) { VisitSensor(inner, stereo.sensor, Presence::kRequired); });
   });
 }
 
-StereoModel StereoOf(const StereoFile& file, const PictureSize& size, const PictureSize& usual) {
+StereoModel StereoOf(const StereoFile& file, const PixelSize& size, const PixelSize& usual) {
   StereoModel stereo = file.stereo;
+  const PixelSize own = size.width > 0 ? size : file.size.width > 0 ? file.size : usual;
   const StereoRig rig =
       !file.rig.empty() ? LoadRig(file.rig, size.width, size.height)
                         : MakeRig(file.baseline_m, file.forward_m, file.height_m, file.pitch_rad,
-                                  EquidistantCamera(size.width > 0 ? size.width : usual.width,
-                                                    size.height > 0 ? size.height : usual.height,
-                                                    file.field_of_view_rad));
+                                  EquidistantCamera(own.width, own.height, file.field_of_view_rad));
   stereo.nominal = MountedRig(rig, stereo);
   return stereo;
 }

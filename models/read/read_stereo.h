@@ -9,7 +9,7 @@
 namespace dockyard {
 
 /// Pixels of an image.
-struct PictureSize {
+struct PixelSize {
   int width = 0, height = 0;
 };
 
@@ -17,13 +17,14 @@ struct PictureSize {
 struct StereoFile {
   StereoModel stereo;  // without its nominal rig
   std::string rig;     // empty: none
+  PixelSize size;      // 0: the usual one
   double field_of_view_rad = 0.0, baseline_m = 0.0, forward_m = 0.0, height_m = 0.0;
   double pitch_rad = 0.0;
 };
 /// Names the mapping under `key`.
 void VisitStereo(Keys& keys, const char* key, StereoFile& file);
-/// `size` 0: that of the rig's file, or else `usual`. Throws ConfigError.
-StereoModel StereoOf(const StereoFile& file, const PictureSize& size, const PictureSize& usual);
+/// `size` 0: that of the rig's file, of the mapping, or else `usual`. Throws ConfigError.
+StereoModel StereoOf(const StereoFile& file, const PixelSize& size, const PixelSize& usual);
 
 /// The pair turned and shifted as the mountings of `stereo` say.
 StereoRig MountedRig(const StereoRig& rig, const StereoModel& stereo);

@@ -12,7 +12,7 @@ namespace dockyard::rocky7 {
 namespace {
 
 // Assumed, 320 x 240 to 640 x 480: the paper gives no size.
-constexpr PictureSize kImage{640, 480};
+constexpr PixelSize kImage{640, 480};
 
 // A further pair of cameras: what its mapping leaves out is as the front pair has it.
 void CompletePair(YamlNode& tree, const char* key) {

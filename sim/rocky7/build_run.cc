@@ -142,6 +142,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   }
   run.nominal.task = models.keys.task;
   run.nominal.reach_m = models.keys.reach_m;
+  run.nominal.nesnas = models.keys.nesnas;
   return run;
 }
 

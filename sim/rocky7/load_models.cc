@@ -9,7 +9,7 @@ namespace dockyard::rocky7 {
 Rocky7Models LoadModels(const Scenario& scenario) {
   RequireFiles(scenario, "Rocky 7's");
   RefuseCamera(scenario, "Rocky 7's cameras stand in its robot's file",
-               "Rocky 7's images are 640 x 480");
+               "the robot's cameras.width_px and height_px give the size of Rocky 7's images");
   Rocky7Models models;
   models.keys = ReadRocky7Keys(scenario);
   CheckRoots(scenario, {"robot", "soil"});

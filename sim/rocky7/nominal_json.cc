@@ -71,8 +71,14 @@ void VisitMembers(T& tracking, const Visit& visit) {
   visit("window_m", tracking.window_m);
   visit("image_share", tracking.image_share);
   visit("least_step_m", tracking.least_step_m);
+  // Logs of before 2026-11-30 have none: then it was ours.
+  if constexpr (!std::is_const_v<T>) tracking.front_end = FrontEnd::kSandAndStones;
+  if (visit.Has("front_end", true)) {
+    visit.Word("front_end", "front end", tracking.front_end,
+               std::array{"blocks7", "sand_and_stones"});
+  }
 }
-static_assert(sizeof(NesnasTracking) == 3 * sizeof(double));
+static_assert(sizeof(NesnasTracking) == 4 * sizeof(double));
 
 template <Of<Nominal> N, class Visit>
 void VisitMembers(N& n, const Visit& visit) {

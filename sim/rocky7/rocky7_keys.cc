@@ -1,6 +1,20 @@
 #include "sim/rocky7/rocky7_keys.h"
 
 namespace dockyard::rocky7 {
+namespace {
+
+void VisitNesnas(Keys& keys, NesnasTracking& nesnas) {
+  keys.Choice({"front_end", "", "of nesnas2000: how it matches image pairs"}, nesnas.front_end,
+              {"blocks7", "sand_and_stones"});
+  keys.Number({"window_m", "m", "the same: half the side of its search window"}, nesnas.window_m,
+              Between(0.01, 0.5));
+  keys.Number({"image_share", "", "the same: of what is left to drive, before it takes images"},
+              nesnas.image_share, Between(0.01, 1.0));
+  keys.Number({"least_step_m", "m", "the same: what is left is driven at once when it is shorter"},
+              nesnas.least_step_m, Between(0.001, 1.0));
+}
+
+}  // namespace
 
 void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
   keys.Choice(
@@ -44,6 +58,7 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
               Between(0.1, 2.0));
   keys.Number({"stone_stains", "", "of their albedo over its mean, 1 sigma"}, values.stone_stains,
               Between(0.0, 0.5));
+  keys.Mapping(Optional("nesnas"), [&](Keys& in) { VisitNesnas(in, values.nesnas); });
 }
 
 Rocky7Keys ReadRocky7Keys(const Scenario& scenario) {

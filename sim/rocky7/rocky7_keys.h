@@ -33,6 +33,7 @@ struct Rocky7Keys {
   // Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
   // 0.4-1. Its stains over its mean: assumed, 0.1-0.2.
   double stone_albedo = 0.65, stone_stains = 0.15;
+  NesnasTracking nesnas{};
 };
 
 /// Names every key: for reading, and for docs/rocky7.md.

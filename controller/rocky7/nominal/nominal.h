@@ -14,11 +14,20 @@
 
 namespace dockyard::rocky7 {
 
+/// How an image pair becomes range data.
+enum class FrontEnd : std::uint8_t {
+  // Differences summed over blocks of 7 px, left to right and back, over the whole range; none of
+  // the ground is taken out. OpenCV's block matcher for JPL's of the 1990s.
+  kBlocks7,
+  kSandAndStones,  // ours (controller/stereo/sand_and_stones.h); a face as face_stereo.h has it
+};
+
 /// What Nesnas, Maimone and Das (ICRA 2000) leave open of their tracking loop; "N" is that paper.
 struct NesnasTracking {
   double window_m = 0.06;      // half of the search window's side; assumed, 0.03-0.12: "small"
   double image_share = 0.1;    // of the trajectory, then the rover stops and looks (N, IV)
   double least_step_m = 0.03;  // shorter ones are driven at once; assumed, 0.01-0.05
+  FrontEnd front_end = FrontEnd::kBlocks7;
 
   bool operator==(const NesnasTracking&) const = default;
 };

@@ -16,7 +16,7 @@ namespace {
 Nominal Sample() {
   Nominal nominal = MakeNominal(LoadRobot(SourceFile("models/rocky7/rocky7.yaml")));
   nominal.target_px = {12.5, 99.25};
-  nominal.nesnas = {0.05, 0.2, 0.01};
+  nominal.nesnas = {0.05, 0.2, 0.01, FrontEnd::kSandAndStones};
   return nominal;
 }
 

@@ -70,7 +70,7 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
   EXPECT_THAT(error(set_step),
               HasSubstr("test.yaml:7:17: physics_step_s: expected at most 0.002 s"));
   EXPECT_THAT(error([](Scenario& s) { s.soil_file.clear(); }), HasSubstr("a soil's file"));
-  EXPECT_THAT(error([](Scenario& s) { s.image_width = 320; }), HasSubstr("640 x 480"));
+  EXPECT_THAT(error([](Scenario& s) { s.image_width = 320; }), HasSubstr("cameras.width_px"));
 }
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
