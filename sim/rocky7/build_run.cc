@@ -14,6 +14,7 @@
 #include "sim/rigid/rocks.h"
 #include "sim/scenario/rock_keys.h"
 #include "sim/vehicles/boulder.h"
+#include "sim/vehicles/rounded_rock.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -49,13 +50,20 @@ ConvexBody TargetStone(const Rocky7Keys& keys, const Seed& seed) {
   return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;
 }
 
-BoulderShape ShapeOfBoulder(const Rocky7Keys& keys) {
-  return {.width_m = keys.boulder_m,
-          .target_up_m = keys.target_up_m,
-          .face_up_rad = keys.face_up_rad,
-          .face_turn_rad = keys.face_turn_rad,
-          .rim_m = keys.rim_m,
-          .roughness_m = keys.roughness_m};
+StarBody BoulderOf(const Rocky7Keys& keys, std::uint64_t key) {
+  if (keys.boulder == BoulderKind::kRounded) {
+    return MakeRoundedRock({.width_m = keys.boulder_m,
+                            .summit_up_m = keys.target_up_m,
+                            .roughness_m = keys.roughness_m},
+                           key);
+  }
+  const BoulderShape shape{.width_m = keys.boulder_m,
+                           .target_up_m = keys.target_up_m,
+                           .face_up_rad = keys.face_up_rad,
+                           .face_turn_rad = keys.face_turn_rad,
+                           .rim_m = keys.rim_m,
+                           .roughness_m = keys.roughness_m};
+  return MakeBoulder(shape, key);
 }
 
 /// Whether a stone of the field would lie in the target, or under the rover at its start.
@@ -123,7 +131,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
     world.target_turn_rad = models.keys.turn_rad;
   }
   if (models.keys.task == Task::kPlace) {
-    world.boulder = MakeBoulder(ShapeOfBoulder(models.keys), StreamKey(scenario.seed, "target"));
+    world.boulder = BoulderOf(models.keys, StreamKey(scenario.seed, "target"));
     world.target_G = {0.0, 0.0, models.keys.target_up_m};
   }
   world.stone_friction = scenario.rocks.friction;

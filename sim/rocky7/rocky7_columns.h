@@ -37,12 +37,13 @@ void VisitChannels(const Truth& t, Visit&& visit) {
 }
 
 struct Rocky7Measures {
-  double point_off_m = 0.0;     // at the end
-  double estimate_off_m = 0.0;  // of the last look that found the target
-  double worst_estimate_m = 0.0;
+  double point_off_m = 0.0;  // at the end
+  // Of the last sighting, and the largest of all; NaN without one.
+  double estimate_off_m = std::nan(""), worst_estimate_m = std::nan("");
+  double wrong_sightings = 0.0;
   double looks = 0.0, driven_m = 0.0, grasps = 0.0, rise_m = 0.0;
-  // Of a placement; NaN without a contact.
-  double tilt_deg = std::nan(""), face_force_n = std::nan("");
+  // Of a placement; NaN for other tasks, tilt and force without a contact, too.
+  double touched = std::nan(""), tilt_deg = std::nan(""), face_force_n = std::nan("");
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
@@ -55,9 +56,12 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
         m.estimate_off_m);
   visit("worst_estimate_m", "m", "largest distance of an estimate from the target's middle", false,
         m.worst_estimate_m);
+  visit("wrong_sightings", "", "estimates further from the target's middle than its width", false,
+        m.wrong_sightings);
   visit("looks", "", "pairs of pictures", true, m.looks);
   visit("grasps", "", "times that the scoops were closed", false, m.grasps);
   visit("rise_m", "m", "the target over where it was, at the end", false, m.rise_m);
+  visit("touched", "", "1: the instrument touched the boulder, wherever", false, m.touched);
   visit("tilt_deg", "deg", "at its contact, the instrument off the rock's normal", true,
         m.tilt_deg);
   visit("face_force_n", "N", "most that pressed on the instrument's face", false, m.face_force_n);

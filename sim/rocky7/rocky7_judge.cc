@@ -12,6 +12,13 @@ constexpr Tick kSettle = 500;
 constexpr Tick kHold = 10000;
 constexpr double kDrive_m = 0.5;
 
+// A sighting further off than this is of another thing: of a stone its width, of a boulder's point
+// the instrument's.
+double WidthOfTarget(const BuiltRun& built) {
+  return built.world.boulder ? 2.0 * built.world.robot.rover.mast->instrument.radius_m
+                             : built.keys.diameter_m;
+}
+
 }  // namespace
 
 Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.truth().X_GR) {
@@ -39,7 +46,8 @@ void Rocky7Judge::ObserveSighting(const SightingReport& report) {
       (truth.X_WR * report.X_RB.p);
   measures_.estimate_off_m =
       plant_.built().world.boulder ? (p_G - plant_.target_G()).norm() : p_G.head<2>().norm();
-  measures_.worst_estimate_m = std::max(measures_.worst_estimate_m, measures_.estimate_off_m);
+  measures_.worst_estimate_m = std::fmax(measures_.worst_estimate_m, measures_.estimate_off_m);
+  measures_.wrong_sightings += measures_.estimate_off_m > WidthOfTarget(plant_.built());
 }
 
 bool Rocky7Judge::fatal() const { return plant_.truth().on_stone; }
@@ -83,6 +91,7 @@ double Rocky7Judge::TryToHold(const Commands& last, const TrialWatch& watch) {
 void Rocky7Judge::JudgeContact(EndOfRun& found) {
   found.places = true;
   found.touched = contact_.force_n > 0.0;
+  measures_.touched = found.touched ? 1.0 : 0.0;
   if (!found.touched) {
     measures_.point_off_m = (plant_.truth().p_GF - plant_.target_G()).norm();
     return;

@@ -9,6 +9,9 @@
 
 namespace dockyard::rocky7 {
 
+/// Of a boulder: a block with flat faces, or a rock with rounded edges, whose summit is the target.
+enum class BoulderKind { kFaced, kRounded };
+
 struct Rocky7Keys {
   Task task = Task::kReach;
   // The target: a stone at the origin of D; to be grasped it lies loose on the ground. 3-5 cm
@@ -20,7 +23,8 @@ struct Rocky7Keys {
   // The rover's start heading off the target; NaN: start.heading counts.
   double off_target_rad = std::numeric_limits<double>::quiet_NaN();
   double reach_m = 0.01;  // how near the point P must come: "to within 1 cm"
-  // A boulder to place the instrument on; its face holds the origin of D.
+  // A boulder to place the instrument on; its face, or its summit, holds the origin of D.
+  BoulderKind boulder = BoulderKind::kFaced;
   double boulder_m = 0.6;              // across; assumed, 0.4-0.8: "boulder" has no size there
   double target_up_m = 0.3;            // of the face's middle over the ground; assumed, 0.15-0.45
   double face_up_rad = Radians(30.0);  // of its outward normal over the horizontal

@@ -16,7 +16,11 @@ constexpr double kOffFace_m = 1e-3, kRoughnessSigmas = 2.0;
 // Who misses the face so often does not see it. Assumed, 10-100.
 constexpr int kMostClicks = 20;
 
-bool IsOnFace(const Rocky7Keys& keys, const Eigen::Vector3d& from_middle_G) {
+// A user who means a summit clicks no further from it. Assumed, 2-6 cm.
+constexpr double kOfSummit_m = 0.04;
+
+bool IsOnTarget(const Rocky7Keys& keys, const Eigen::Vector3d& from_middle_G) {
+  if (keys.boulder == BoulderKind::kRounded) return from_middle_G.norm() < kOfSummit_m;
   const Eigen::Vector3d normal_G =
       FaceNormal({.face_up_rad = keys.face_up_rad, .face_turn_rad = keys.face_turn_rad});
   return std::abs(normal_G.dot(from_middle_G)) < kOffFace_m + kRoughnessSigmas * keys.roughness_m;
@@ -40,10 +44,11 @@ UserClick ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& tr
     const Eigen::Vector2d pixel = *middle + run.keys.click_px * Eigen::Vector2d(u, v);
     if (!by_mast) return {pixel, truth.X_GT.p};
     const auto shown_G = FirstOnRay(*run.world.boulder, X_GC.p, X_GC.R * rig.left.Direction(pixel));
-    if (shown_G && IsOnFace(run.keys, *shown_G - truth.X_GT.p)) return {pixel, *shown_G};
+    if (shown_G && IsOnTarget(run.keys, *shown_G - truth.X_GT.p)) return {pixel, *shown_G};
   }
-  throw ConfigError(scenario.start_place +
-                    ": expected a start from where the mast's cameras see the boulder's face");
+  throw ConfigError(
+      scenario.start_place +
+      ": expected a start from where the mast's cameras see the target on the boulder");
 }
 
 }  // namespace dockyard::rocky7

@@ -5,6 +5,7 @@
 
 #include "sim/base/random.h"
 #include "sim/rigid/convex_body.h"
+#include "sim/vehicles/rock_roughness.h"
 
 namespace dockyard {
 namespace {
@@ -27,32 +28,6 @@ constexpr double kBehind_rad = 1.4;
 constexpr double kFoot_m = 0.03, kFootUp_rad = 0.1;
 // Of the boulder below ground. Assumed, 5-30 cm.
 constexpr double kBuried_m = 0.15;
-// Roughness: wavelengths, halved from one octave to the next, and waves of each. Amplitudes go with
-// the wavelength, as broken rock's do (self-affine, exponent near 1; assumed 0.7-1).
-constexpr double kLongest_m = 0.1;
-constexpr int kOctaves = 4, kWaves = 24;
-
-struct Wave {
-  Vector3d k_per_m{0, 0, 0};
-  double phase = 0.0, height_m = 0.0;
-};
-
-std::vector<Wave> DrawWaves(double rms_m, RandomStream& random) {
-  double sum = 0.0;
-  for (int o = 0; o < kOctaves; ++o) sum += std::pow(0.25, o);
-  std::vector<Wave> waves;
-  for (int o = 0; o < kOctaves; ++o) {
-    const double octave_m = rms_m * std::pow(0.5, o) / std::sqrt(sum);
-    for (int i = 0; i < kWaves; ++i) {
-      const double z = random.Uniform(-1.0, 1.0), angle = random.Uniform(-kPi, kPi);
-      const double r = std::sqrt(1.0 - z * z);
-      const double length_m = kLongest_m * std::pow(0.5, o + random.Uniform());
-      waves.push_back({2.0 * kPi / length_m * Vector3d(r * std::cos(angle), r * std::sin(angle), z),
-                       random.Uniform(-kPi, kPi), octave_m * std::sqrt(2.0 / kWaves)});
-    }
-  }
-  return waves;
-}
 
 Vector3d NormalOf(double up_rad, double turn_rad) {
   return {std::cos(up_rad) * std::cos(turn_rad), std::cos(up_rad) * std::sin(turn_rad),
@@ -105,7 +80,7 @@ StarBody MakeBoulder(const BoulderShape& shape, std::uint64_t key) {
   const Vector3d centre =
       -0.4 * shape.width_m * ahead + 0.4 * shape.target_up_m * Vector3d::UnitZ();
   const std::vector<HalfSpace> faces = DrawFaces(shape, centre, random);
-  const std::vector<Wave> waves = DrawWaves(shape.roughness_m, random);
+  const RockRoughness roughness(shape.roughness_m, random);
   return MakeStarBody(centre, kLevel, [&](const Vector3d& direction) {
     double radius_m = 1e9;
     for (const HalfSpace& face : faces) {
@@ -113,12 +88,7 @@ StarBody MakeBoulder(const BoulderShape& shape, std::uint64_t key) {
       if (towards <= 1e-9) continue;
       radius_m = std::min(radius_m, (face.offset_m - face.normal.dot(centre)) / towards);
     }
-    const Vector3d p = centre + radius_m * direction;
-    double rough_m = 0.0;
-    for (const Wave& wave : waves) {
-      rough_m += wave.height_m * std::cos(wave.k_per_m.dot(p) + wave.phase);
-    }
-    return radius_m + rough_m;
+    return radius_m + roughness.At(centre + radius_m * direction);
   });
 }
 

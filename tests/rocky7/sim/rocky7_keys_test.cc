@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "models/read/config_error.h"
+#include "models/read/yaml_tree.h"
 #include "sim/rocky7/rocky7_system.h"
 #include "support/bad_files.h"
 
@@ -71,6 +72,10 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
               HasSubstr("test.yaml:7:17: physics_step_s: expected at most 0.002 s"));
   EXPECT_THAT(error([](Scenario& s) { s.soil_file.clear(); }), HasSubstr("a soil's file"));
   EXPECT_THAT(error([](Scenario& s) { s.image_width = 320; }), HasSubstr("cameras.width_px"));
+  const auto rounded_with_rim = [](Scenario& s) {
+    s.of_system = ParseYaml("{task: place, boulder: rounded, rim_m: 0.1}", "test.yaml");
+  };
+  EXPECT_THAT(error(rounded_with_rim), HasSubstr("whose summit is the target"));
 }
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
