@@ -97,8 +97,7 @@ Event FaceApproach::DecideBy(const FaceDetection& detection, const SensorFrame& 
       DecideNext(nominal_, options_, target_, face_, tool_off_rad_, progress_);
   if (!next.why_not.empty()) return GiveUp(next.why_not);
   if (!next.arcs.empty()) return Begin(next.arcs, sensed.imu.yaw_rad);
-  Tell("there", "the tool is " + Fixed(Degrees(tool_off_rad_), 1) + " deg off the normal");
-  return Event::kReached;
+  return Reached();
 }
 
 Event FaceApproach::Begin(std::vector<Arc> arcs, double yaw_rad) {
@@ -131,7 +130,16 @@ Event FaceApproach::Drive(const SensorFrame& sensed, std::vector<MotorCommand>& 
   const Pose2 since = odometry_.Step(drive_.driven_m(), drive_.moved(), sensed.imu.yaw_rad);
   MoveOn(since, drive_.driven_m() - before_m, target_);
   if (!drive_.done() || BeginArc(sensed.imu.yaw_rad) == Event::kPlanned) return Event::kNone;
-  return Event::kArrived;
+  if (!progress_.driven_all) return Event::kArrived;
+  face_ = FaceNow(nominal_, sensed.imu, target_);
+  tool_off_rad_ = ToolOff(nominal_.mast, face_);
+  return Reached();
+}
+
+Event FaceApproach::Reached() {
+  if (tool_off_rad_ >= kPi) return GiveUp("the mast does not reach the target from here");
+  Tell("there", "the tool is " + Fixed(Degrees(tool_off_rad_), 1) + " deg off the normal");
+  return Event::kReached;
 }
 
 Event FaceApproach::Observe(const SensorFrame& sensed, Commands& commands) {

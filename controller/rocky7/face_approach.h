@@ -36,6 +36,7 @@ class FaceApproach {
   Event DecideBy(const FaceDetection& detection, const SensorFrame& sensed);
   Event Begin(std::vector<Arc> arcs, double yaw_rad);
   Event BeginArc(double yaw_rad);
+  Event Reached();
   Event GiveUp(const std::string& why);
   void Tell(const std::string& phase, const std::string& note);
 

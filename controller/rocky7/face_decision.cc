@@ -45,10 +45,7 @@ FaceDecision DecideNear(const Nominal& nominal, const FaceApproachOptions& optio
       std::min(kMostOff_rad, kGoodOff_rad + kEachPair_rad * std::max(0, progress.near_pairs - 1));
   // What the mast cannot follow of the normal is left out.
   const double unreachable_rad = std::abs(goal.stance.off_rad);
-  if (progress.driven_all || tool_off_rad < enough_rad + unreachable_rad) {
-    if (tool_off_rad < kPi) return {};
-    return {.why_not = "the mast does not reach the target from here"};
-  }
+  if (tool_off_rad < enough_rad + unreachable_rad) return {};
   const Obstacles obstacles = DiscsOf(belief.obstacles_E);
   std::vector<Arc> path;
   if (options.corrects && left_m < kCorrectsWithin_m) {

@@ -17,7 +17,8 @@ struct FaceApproachOptions {
   OdometryOptions odometry{};
   bool exposes_for_target = false;  // asks for more light where the target lies in the shade
   // Plans anew at each image pair of the last metre and corrects where it rests. Else the two arcs
-  // are driven as planned from a metre away, and the mast does what it can from there.
+  // are driven as planned from a metre away, and the mast does what it can from there, without a
+  // new search (N, IV-B).
   bool corrects = false;
   int most_looks = 60, most_misses = 1;  // pairs in all; in a row without the target
 };

@@ -37,6 +37,7 @@ constexpr Transition kPlace[] = {{Phase::kAim, Event::kArrived, Phase::kObserve}
                                  {Phase::kObserve, Event::kMissed, Phase::kAim},
                                  {Phase::kObserve, Event::kPlanned, Phase::kDrive},
                                  {Phase::kDrive, Event::kArrived, Phase::kAim},
+                                 {Phase::kDrive, Event::kReached, Phase::kUnfold},
                                  {Phase::kObserve, Event::kReached, Phase::kUnfold},
                                  {Phase::kUnfold, Event::kArrived, Phase::kAdvance},
                                  {Phase::kAdvance, Event::kTouched, Phase::kPress},

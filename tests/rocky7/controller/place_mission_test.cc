@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "controller/rocky7/dockyard.h"
 #include "rocky7/controller/ideal_rover.h"
@@ -13,7 +17,9 @@ namespace dockyard::rocky7 {
 namespace {
 
 // Up to 15 minutes; says what it does when the variable PLACE_TRACE is set.
-Verdict Drive(IdealRover& rover, Controller& controller) {
+Verdict Drive(
+    IdealRover& rover, Controller& controller,
+    const std::function<void(const Belief&)>& watch = [](const Belief&) {}) {
   std::string last;
   while (rover.tick < 900000) {
     const Commands commands = controller.Step(rover.Frame());
@@ -25,23 +31,24 @@ Verdict Drive(IdealRover& rover, Controller& controller) {
                   ValueOf(belief, "tool_off_deg", 0.0));
     }
     last = now;
+    watch(belief);
     if (commands.verdict != Verdict::kUnderWay) return commands.verdict;
     rover.Turn(commands);
   }
   return Verdict::kUnderWay;
 }
 
-IdealRover FiveMetresBeforeAFace() {
+IdealRover BeforeAFace(double x_m) {
   IdealRover rover;
   rover.nominal.task = Task::kPlace;
-  rover.scene.p_W = {5.5, 0.4, 0.4};
+  rover.scene.p_W = {x_m, 0.4, 0.4};
   rover.scene.normal_W = NormalOf(25.0, 20.0);
   rover.Click();
   return rover;
 }
 
 TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
-  IdealRover rover = FiveMetresBeforeAFace();
+  IdealRover rover = BeforeAFace(5.5);
   const auto controller = MakeDockyardController(rover.nominal);
   EXPECT_EQ(Drive(rover, *controller), Verdict::kDone) << controller->belief().note;
   const Eigen::Vector3d off = rover.touched_W - rover.scene.p_W;
@@ -54,10 +61,26 @@ TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
   EXPECT_GT(rover.nearest_wheel_m, 0.05);
 }
 
+// "Within one meter" it plans two arcs, and places from where they end (N, IV-B).
+TEST(PlaceMission, ThePapersSearchesNoMoreAfterItsTwoArcs) {
+  IdealRover rover = BeforeAFace(2.8);
+  const auto controller = MakeNesnas2000Placement(rover.nominal);
+  std::vector<std::string> phases;
+  std::size_t planned = 0;
+  Drive(rover, *controller, [&](const Belief& belief) {
+    if (phases.empty() || phases.back() != belief.phase) phases.push_back(belief.phase);
+    planned = std::max(planned, belief.plan.size());
+  });
+  EXPECT_EQ(planned, 2u);
+  const auto unfold = std::ranges::find(phases, "unfold");
+  ASSERT_NE(unfold, phases.end()) << controller->belief().note;
+  EXPECT_EQ(*std::prev(unfold), "there");
+}
+
 // The user has clicked in a picture from where the cameras stand: another place would show the
 // target at another pixel.
 TEST(PlaceMission, TheMastStaysBrakedUntilItsFirstPicture) {
-  IdealRover rover = FiveMetresBeforeAFace();
+  IdealRover rover = BeforeAFace(5.5);
   const auto controller = MakeDockyardController(rover.nominal);
   bool asked = false, moved = false;
   while (!moved && rover.tick < 60000) {
