@@ -59,7 +59,10 @@ void Approach::Keep(const TargetSighting& sighting, const ImuSample& attitude) {
 }
 
 std::vector<Arc> Approach::PathToTarget() const {
-  if (options_.backs_up) return GentleArcsToPoint(target_.p_RT() + aim_m_, nominal_.plan);
+  if (options_.backs_up) {
+    const double distance_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
+    return GentleArcsToPoint(target_.p_RT() + aim_m_ - target_.DriftOn(distance_m), nominal_.plan);
+  }
   const ArcLimits limits = GentleLimits(nominal_.plan);
   const auto arc = OneArcTo(target_.p_RT(), nominal_.plan.p_RP);
   return arc ? std::vector<Arc>{NoSharper(*arc, limits)} : std::vector<Arc>{};
@@ -118,7 +121,8 @@ Event Approach::DecideBy(const TargetSighting& sighting, double yaw_rad) {
 double Approach::OffAtEnd() const {
   const double gone = drive_.share() * driven_.part.length_m / driven_.whole.length_m;
   const Pose2 X_RE = Advance({}, Part(driven_.whole, 1.0 - gone));
-  return (X_RE * nominal_.plan.p_RP - target_.p_RT() - aim_m_).norm();
+  const double distance_m = (1.0 - gone) * std::abs(driven_.whole.length_m);
+  return (X_RE * nominal_.plan.p_RP + target_.DriftOn(distance_m) - target_.p_RT() - aim_m_).norm();
 }
 
 Event Approach::Decide(double yaw_rad) {

@@ -13,7 +13,7 @@ constexpr ApproachOptions kOptions{.image_share = 0.25,
                                    .look_each_m = 0.12,  // assumed, 8-20 cm
                                    .claim_share = 0.7,   // assumed, 0.4-0.8: what is seen errs too
                                    // Slip assumed, 0.05-0.2.
-                                   .odometry = {.turn_by_unit = true, .slip = 0.1},
+                                   .odometry = {.turn_by_unit = true, .slip = 0.1, .drifts = true},
                                    .sees_motion = true,
                                    .exposes_for_target = true,
                                    .backs_up = true,

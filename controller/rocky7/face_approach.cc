@@ -127,7 +127,7 @@ Event FaceApproach::BeginArc(double yaw_rad) {
 Event FaceApproach::Drive(const SensorFrame& sensed, std::vector<MotorCommand>& motors) {
   const double before_m = drive_.driven_m();
   motors = drive_.Step(sensed);
-  const Pose2 since = odometry_.Step(drive_.driven_m(), drive_.moved(), sensed.imu.yaw_rad);
+  const Pose2 since = odometry_.Step(drive_.driven_m(), drive_.moved(), sensed.imu);
   MoveOn(since, drive_.driven_m() - before_m, target_);
   if (!drive_.done() || BeginArc(sensed.imu.yaw_rad) == Event::kPlanned) return Event::kNone;
   if (!progress_.driven_all) return Event::kArrived;

@@ -1,6 +1,7 @@
 #include "controller/rocky7/odometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/motion/arcs.h"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr double kTurnNoise2 = Radians(4.0) * Radians(4.0);
 // No more and no less is believed. Assumed, 0.3-0.6 and 1-1.3.
 constexpr double kLeastTurn = 0.4, kMostTurn = 1.2;
+// Downhill, of a metre at a roll of 90 deg. Assumed, 1.5-3.
+constexpr double kMostDrift = 2.0;
 
 }  // namespace
 
@@ -28,15 +31,17 @@ void Odometry::Begin(double yaw_rad) {
 }
 
 // Slip may be learnt half-way: it counts from there on.
-Pose2 Odometry::Step(double driven_m, const Pose2& counted, double yaw_rad) {
+Pose2 Odometry::Step(double driven_m, const Pose2& counted, const ImuSample& attitude) {
   Pose2 since = Inverse(before_) * counted;
+  const double distance_m = driven_m - driven_before_m_;
   if (options_.turn_by_unit) {
-    const double way_m = driven_m - driven_before_m_;
-    since = Advance({}, Arc{(1.0 - SlipOn(driven_m)) * way_m, WrapPi(yaw_rad - yaw_before_rad_)});
+    since = Advance(
+        {}, Arc{(1.0 - SlipOn(driven_m)) * distance_m, WrapPi(attitude.yaw_rad - yaw_before_rad_)});
   }
+  since.y += DriftOn(distance_m, attitude.roll_rad);
   before_ = counted;
   driven_before_m_ = driven_m;
-  yaw_before_rad_ = yaw_rad;
+  yaw_before_rad_ = attitude.yaw_rad;
   return since;
 }
 
@@ -46,6 +51,19 @@ void Odometry::Learn(double further_m, double sigma_m, double way_m) {
   const double gain = by_slip_m2 / (by_slip_m2 + sigma_m * sigma_m);
   double& slip = slip_[way_m < 0.0 ? 1 : 0];
   slip = std::clamp(slip + gain * further_m / way_m, 0.0, kMostSlip);
+}
+
+double Odometry::DriftOn(double distance_m, double roll_rad) const {
+  return drift_ * std::abs(distance_m) * std::sin(roll_rad);
+}
+
+// A scalar Kalman filter: the drift of this soil stays.
+void Odometry::LearnDrift(double left_m, double sigma_m, double rolled_m) {
+  if (!options_.drifts) return;
+  const double innovation_m2 = drift_variance_ * rolled_m * rolled_m + sigma_m * sigma_m;
+  const double gain = drift_variance_ * rolled_m / innovation_m2;
+  drift_ = std::clamp(drift_ + gain * left_m, -kMostDrift, 0.0);
+  drift_variance_ *= 1.0 - gain * rolled_m;
 }
 
 }  // namespace dockyard::rocky7

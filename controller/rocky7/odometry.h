@@ -5,6 +5,7 @@
 #include <array>
 
 #include "controller/geometry/pose.h"
+#include "controller/io/sensors.h"
 
 namespace dockyard::rocky7 {
 
@@ -12,6 +13,9 @@ namespace dockyard::rocky7 {
 inline constexpr double kSlipSigma = 0.08;
 /// More is not believed of looks. Assumed, 0.3-0.7.
 inline constexpr double kMostSlip = 0.5;
+/// Of the drift of a metre at a roll of 90 deg, 1 sigma: wheels in loose soil drift by 0.6.
+/// Assumed, 0.5-1.5.
+inline constexpr double kDriftSigma = 1.0;
 /// What a rover with tandem wheels turns on an arc of 1 m, of what they count: 83 to 87 %
 /// (docs/rocky7.md).
 inline constexpr double kTurnShare = 0.85;
@@ -24,6 +28,8 @@ struct OdometryOptions {
   // ahead and back. With a start and a stop every 15 cm it is 20 % in sand (docs/rocky7.md). 0: the
   // wheels' counts are believed.
   double slip = 0.0;
+  // The same of slip downhill on a cross slope, which is learnt from 0.
+  bool drifts = false;
 };
 
 class Odometry {
@@ -34,10 +40,15 @@ class Odometry {
   /// An arc begins. The turn of the last one is learnt.
   void Begin(double yaw_rad);
   /// The motion since the last call, from what the wheels count of the arc.
-  Pose2 Step(double driven_m, const Pose2& counted, double yaw_rad);
+  Pose2 Step(double driven_m, const Pose2& counted, const ImuSample& attitude);
   /// After a way that the wheels counted, negative back, the rover was further back along x than
   /// predicted by this.
   void Learn(double further_m, double sigma_m, double way_m);
+  /// After a distance whose product with the sine of the roll sums up to this, the rover was
+  /// further to the left than predicted by left_m.
+  void LearnDrift(double left_m, double sigma_m, double rolled_m);
+  /// To the left, for a distance at this roll (right side down positive).
+  double DriftOn(double distance_m, double roll_rad) const;
   /// On a way ahead, or back.
   double SlipOn(double way_m) const { return slip_[way_m < 0.0 ? 1 : 0]; }
   /// What the rover turns, of what its wheels count.
@@ -47,6 +58,8 @@ class Odometry {
   const OdometryOptions options_;
   std::array<double, 2> slip_{};
   double turn_share_ = kTurnShare;
+  // To the left, of a metre at a roll of 90 deg, and its variance.
+  double drift_ = 0.0, drift_variance_ = kDriftSigma * kDriftSigma;
   double yaw_at_start_rad_ = 0.0, yaw_before_rad_ = 0.0, driven_before_m_ = 0.0;
   Pose2 before_;
 };

@@ -39,7 +39,7 @@ void TargetOdometry::BeginArc(const Arc& arc, double yaw_rad) {
 
 void TargetOdometry::Step(const ArcDrive& drive, bool drives, const SensorFrame& sensed) {
   if (drives) {
-    const Pose2 since = odometry_.Step(drive.driven_m(), drive.moved(), sensed.imu.yaw_rad);
+    const Pose2 since = odometry_.Step(drive.driven_m(), drive.moved(), sensed.imu);
     X_OR_ = X_OR_ * since;
     now_ = InFrame(now_, Inverse(since), since.heading);
     const double driven_m = drive.driven_m() - driven_m_;
@@ -47,7 +47,9 @@ void TargetOdometry::Step(const ArcDrive& drive, bool drives, const SensorFrame&
     now_.driven_m += driven_m;
     since_m_ += driven_m;
     all_since_m_ += std::abs(driven_m);
+    rolled_m_ += std::abs(driven_m) * std::sin(sensed.imu.roll_rad);
   }
+  roll_rad_ = sensed.imu.roll_rad;
   past_.Add({sensed.tick, X_OR_, sensed.imu});
 }
 
@@ -68,17 +70,22 @@ void TargetOdometry::Learn(double further_m) {
   odometry_.Learn(further_m, kTips_m, since_m_);
 }
 
+Vector2d TargetOdometry::DriftOn(double distance_m) const {
+  return {0.0, odometry_.DriftOn(distance_m, roll_rad_)};
+}
+
 void TargetOdometry::Take(const ExposurePrior& prior, const GroundDetection& detection) {
   const TargetSighting& sighting = detection.sighting;
   const bool detected = sighting.found || sighting.guess;
   if (detection.X_BE) {
     Learn(prior.X_BE.x - detection.X_BE->x);
+    odometry_.LearnDrift(detection.X_BE->y - prior.X_BE.y, kTips_m, rolled_m_);
   } else if (detected && sighting.further_m != 0.0) {
     Learn(sighting.further_m);
   }
   before_ = detected ? OdometryTarget{.p_RT = sighting.p_E} : detection.predicted;
   X_OB_ = prior.X_OE;
-  since_m_ = all_since_m_ = 0.0;
+  since_m_ = all_since_m_ = rolled_m_ = 0.0;
   now_ = InFrame(before_, Inverse(prior.X_ER), prior.X_ER.heading);
 }
 

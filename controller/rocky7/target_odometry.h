@@ -49,6 +49,8 @@ class TargetOdometry {
   /// So that the rover itself, which slips, drives this arc.
   /// It may be sharper than its wheels steer.
   Arc AgainstSlip(const Arc& arc) const;
+  /// In R: where a distance from here would end off where its arcs lead, by the slope.
+  Eigen::Vector2d DriftOn(double distance_m) const;
 
   /// Each period; `drive` has read these sensors, if it drives.
   void Step(const ArcDrive& drive, bool drives, const SensorFrame& sensed);
@@ -69,6 +71,8 @@ class TargetOdometry {
   OdometryTarget before_;
   Pose2 X_OB_;
   double since_m_ = 0.0, all_since_m_ = 0.0;  // driven since B, signed and not
+  double rolled_m_ = 0.0;                     // driven since B, times the sine of the roll
+  double roll_rad_ = 0.0;
 };
 
 }  // namespace dockyard::rocky7

@@ -17,7 +17,7 @@ TEST(Odometry, WithoutAUnitItBelievesTheWheels) {
   const Arc arc{0.4, 0.3};
   Pose2 sum;
   for (const double share : {0.25, 0.5, 1.0}) {
-    sum = sum * odometry.Step(share * 0.4, Advance({}, Part(arc, share)), 2.0);
+    sum = sum * odometry.Step(share * 0.4, Advance({}, Part(arc, share)), {.yaw_rad = 2.0});
   }
   const Pose2 whole = Advance({}, arc);
   EXPECT_NEAR(sum.x, whole.x, 1e-12);
@@ -29,7 +29,7 @@ TEST(Odometry, WithoutAUnitItBelievesTheWheels) {
 TEST(Odometry, WithAUnitItIsAnArcOfTheCountedDistanceLessSlip) {
   Odometry odometry(kByUnit);
   odometry.Begin(1.0);
-  const Pose2 since = odometry.Step(0.5, {0.5, 0.0, 0.0}, 1.2);
+  const Pose2 since = odometry.Step(0.5, {0.5, 0.0, 0.0}, {.yaw_rad = 1.2});
   const double radius_m = 0.45 / 0.2;
   EXPECT_NEAR(since.x, radius_m * std::sin(0.2), 1e-12);
   EXPECT_NEAR(since.y, radius_m * (1.0 - std::cos(0.2)), 1e-12);
@@ -50,9 +50,36 @@ TEST(Odometry, LearnsSlipByTheRatioOfVariances) {
 TEST(Odometry, CountsSlipFromWhereItWasLearnt) {
   Odometry odometry(kByUnit);
   odometry.Begin(0.0);
-  EXPECT_NEAR(odometry.Step(0.1, {0.1, 0.0, 0.0}, 0.0).x, 0.09, 1e-12);
+  EXPECT_NEAR(odometry.Step(0.1, {0.1, 0.0, 0.0}, {.yaw_rad = 0.0}).x, 0.09, 1e-12);
   odometry.Learn(0.02, 1e-6, 0.1);
-  EXPECT_NEAR(odometry.Step(0.2, {0.2, 0.0, 0.0}, 0.0).x, 0.07, 1e-6);
+  EXPECT_NEAR(odometry.Step(0.2, {0.2, 0.0, 0.0}, {.yaw_rad = 0.0}).x, 0.07, 1e-6);
+}
+
+// Each metre at a roll of 10 deg goes 6 cm downhill; measured 1 cm off, alternately.
+TEST(Odometry, LearnsTheDriftOfACrossSlope) {
+  Odometry odometry({.turn_by_unit = true, .slip = 0.1, .drifts = true});
+  const double roll_rad = Radians(10.0), drift = -0.06 / std::sin(roll_rad);
+  EXPECT_EQ(odometry.DriftOn(1.0, roll_rad), 0.0);
+  for (int i = 0; i < 8; ++i) {
+    const double rolled_m = 0.2 * std::sin(roll_rad);
+    const double error_m = i % 2 == 0 ? 0.01 : -0.01;
+    const double left_m = drift * rolled_m - odometry.DriftOn(0.2, roll_rad) + error_m;
+    odometry.LearnDrift(left_m, 0.01, rolled_m);
+  }
+  EXPECT_NEAR(odometry.DriftOn(1.0, roll_rad), -0.06, 0.01);
+  EXPECT_NEAR(odometry.DriftOn(-1.0, roll_rad), -0.06, 0.01);  // backwards, too
+  EXPECT_NEAR(odometry.DriftOn(1.0, -roll_rad), 0.06, 0.01);
+  EXPECT_EQ(odometry.DriftOn(1.0, 0.0), 0.0);
+  odometry.Begin(0.0);
+  const Pose2 since = odometry.Step(0.5, {0.5, 0.0, 0.0}, {.roll_rad = roll_rad, .yaw_rad = 0.0});
+  EXPECT_NEAR(since.y, -0.03, 0.005);
+}
+
+// On level ground an error to the side is no drift.
+TEST(Odometry, LevelGroundTeachesNoDrift) {
+  Odometry odometry({.turn_by_unit = true, .slip = 0.1, .drifts = true});
+  for (int i = 0; i < 50; ++i) odometry.LearnDrift(i % 3 == 0 ? 0.01 : -0.005, 0.01, 1e-3);
+  EXPECT_NEAR(odometry.DriftOn(1.0, Radians(0.3)), 0.0, 0.004);
 }
 
 TEST(Odometry, SlipAheadAndBackAreLearntApartAndStayWithinBounds) {
@@ -71,7 +98,7 @@ TEST(Odometry, LearnsTheShareOfTheTurnByItsSize) {
   for (const double counted_rad : {Radians(4.0), 1.5}) {
     Odometry odometry(kByUnit);
     odometry.Begin(0.0);
-    odometry.Step(0.5, {0.5, 0.0, counted_rad}, 0.6 * counted_rad);
+    odometry.Step(0.5, {0.5, 0.0, counted_rad}, {.yaw_rad = 0.6 * counted_rad});
     odometry.Begin(0.6 * counted_rad);
     const double noise = Radians(4.0) / counted_rad;
     EXPECT_NEAR(odometry.turn_share(), kTurnShare + (0.6 - kTurnShare) / (1.0 + noise * noise),
@@ -82,7 +109,7 @@ TEST(Odometry, LearnsTheShareOfTheTurnByItsSize) {
 TEST(Odometry, AStraightArcTeachesNothingOfTurns) {
   Odometry odometry(kByUnit);
   odometry.Begin(0.0);
-  odometry.Step(0.5, {0.5, 0.0, 0.0}, 0.1);
+  odometry.Step(0.5, {0.5, 0.0, 0.0}, {.yaw_rad = 0.1});
   odometry.Begin(0.1);
   EXPECT_EQ(odometry.turn_share(), kTurnShare);
 }
