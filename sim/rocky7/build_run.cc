@@ -53,7 +53,9 @@ ConvexBody TargetStone(const Rocky7Keys& keys, const Seed& seed) {
 StarBody BoulderOf(const Rocky7Keys& keys, std::uint64_t key) {
   if (keys.boulder == BoulderKind::kRounded) {
     return MakeRoundedRock({.width_m = keys.boulder_m,
-                            .summit_up_m = keys.target_up_m,
+                            .target_up_m = keys.target_up_m,
+                            .face_up_rad = keys.face_up_rad,
+                            .face_turn_rad = keys.face_turn_rad,
                             .roughness_m = keys.roughness_m},
                            key);
   }

@@ -33,19 +33,19 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
       {"off_target_deg", "deg",
        "the rover's start heading off the target, in place of start.heading_deg", Presence::kUnset},
       values.off_target_rad, Between(-60.0, 60.0));
-  keys.Choice({"boulder", "", "to place on: with flat faces, or rounded with a summit"},
-              values.boulder, {"faced", "rounded"});
-  for (const char* of_face : {"face_up_deg", "face_turn_deg", "rim_m"}) {
-    keys.Allow(of_face, values.boulder == BoulderKind::kFaced,
-               "no such key with boulder: rounded, whose summit is the target");
-  }
+  keys.Choice({"boulder", "", "to place on: with flat faces, or a rounded rock"}, values.boulder,
+              {"faced", "rounded"});
+  keys.Allow("rim_m", values.boulder == BoulderKind::kFaced,
+             "no such key with boulder: rounded, which has no edge");
   keys.Number({"boulder_m", "m", "to place on: the boulder's width"}, values.boulder_m,
               Between(0.3, 1.5));
-  keys.Number(
-      {"target_up_m", "m", "the same: height of its face's middle, or summit, over the ground"},
-      values.target_up_m, Between(0.1, 0.7));
-  keys.Degrees({"face_up_deg", "deg", "the same: its face's outward normal over the horizontal"},
-               values.face_up_rad, Between(0.0, 80.0));
+  keys.Number({"target_up_m", "m",
+               "the same: height of the target over the ground: its face's middle, or a point"},
+              values.target_up_m, Between(0.1, 0.7));
+  keys.Degrees(
+      {"face_up_deg", "deg",
+       "the same: outward normal there, over the horizontal; 90 is a rounded rock's summit"},
+      values.face_up_rad, Between(0.0, 90.0));
   keys.Degrees({"face_turn_deg", "deg", "the same: that normal in plan, from the x axis of D"},
                values.face_turn_rad, Between(-180.0, 180.0));
   keys.Number(

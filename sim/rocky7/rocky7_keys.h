@@ -9,7 +9,7 @@
 
 namespace dockyard::rocky7 {
 
-/// Of a boulder: a block with flat faces, or a rock with rounded edges, whose summit is the target.
+/// Of a boulder: a block with flat faces, or a rock with rounded edges.
 enum class BoulderKind { kFaced, kRounded };
 
 struct Rocky7Keys {
@@ -23,7 +23,7 @@ struct Rocky7Keys {
   // The rover's start heading off the target; NaN: start.heading counts.
   double off_target_rad = std::numeric_limits<double>::quiet_NaN();
   double reach_m = 0.01;  // how near the point P must come: "to within 1 cm"
-  // A boulder to place the instrument on; its face, or its summit, holds the origin of D.
+  // A boulder to place the instrument on; the target on it lies over the origin of D.
   BoulderKind boulder = BoulderKind::kFaced;
   double boulder_m = 0.6;              // across; assumed, 0.4-0.8: "boulder" has no size there
   double target_up_m = 0.3;            // of the face's middle over the ground; assumed, 0.15-0.45

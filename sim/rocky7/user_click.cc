@@ -16,11 +16,11 @@ constexpr double kOffFace_m = 1e-3, kRoughnessSigmas = 2.0;
 // Who misses the face so often does not see it. Assumed, 10-100.
 constexpr int kMostClicks = 20;
 
-// A user who means a summit clicks no further from it. Assumed, 2-6 cm.
-constexpr double kOfSummit_m = 0.04;
+// On a rounded rock a user clicks no further from the point that is meant. Assumed, 2-6 cm.
+constexpr double kOfPoint_m = 0.04;
 
 bool IsOnTarget(const Rocky7Keys& keys, const Eigen::Vector3d& from_middle_G) {
-  if (keys.boulder == BoulderKind::kRounded) return from_middle_G.norm() < kOfSummit_m;
+  if (keys.boulder == BoulderKind::kRounded) return from_middle_G.norm() < kOfPoint_m;
   const Eigen::Vector3d normal_G =
       FaceNormal({.face_up_rad = keys.face_up_rad, .face_turn_rad = keys.face_turn_rad});
   return std::abs(normal_G.dot(from_middle_G)) < kOffFace_m + kRoughnessSigmas * keys.roughness_m;

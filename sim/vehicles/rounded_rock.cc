@@ -67,11 +67,11 @@ std::vector<Hollow> DrawHollows(RandomStream& random) {
   return hollows;
 }
 
-/// Moved so that its highest vertex lies over the origin, that high.
-StarBody WithSummitAt(StarBody rock, double up_m) {
-  const Vector3d summit =
-      *std::ranges::max_element(rock.vertices, {}, [](const Vector3d& p) { return p.z(); });
-  const Vector3d shift = Vector3d(0.0, 0.0, up_m) - summit;
+/// Moved so that the vertex that is farthest along the normal lies over the origin, that high.
+StarBody WithTargetAt(StarBody rock, const Vector3d& normal, double up_m) {
+  const Vector3d target = *std::ranges::max_element(
+      rock.vertices, {}, [&](const Vector3d& p) { return normal.dot(p); });
+  const Vector3d shift = Vector3d(0.0, 0.0, up_m) - target;
   rock.centre += shift;
   for (Vector3d& vertex : rock.vertices) vertex += shift;
   return rock;
@@ -83,10 +83,10 @@ StarBody MakeRoundedRock(const RoundedRockShape& shape, std::uint64_t key) {
   RandomStream random(key);
   const double narrow = random.Uniform(kNarrowest, kWidest);
   const double half_length_m = shape.width_m / (1.0 + narrow);  // the mean of both is the width
-  // Low summits are those of rocks that are buried deeper; high ones of rocks that are higher.
+  // Low targets are those of rocks that are buried deeper; high ones of rocks that are higher.
   const double own_up_m = 0.5 * shape.width_m * random.Uniform(kFlattest, kSteepest);
   const Vector3d half_m(half_length_m, narrow * half_length_m,
-                        std::max(own_up_m, 0.6 * shape.summit_up_m));
+                        std::max(own_up_m, 0.6 * shape.target_up_m));
   const double turn_rad = random.Uniform(-kPi, kPi);
   const double norm = random.Uniform(kLeastNorm, kMostNorm);
   const std::vector<HalfSpace> faces = DrawFaces(random);
@@ -105,7 +105,8 @@ StarBody MakeRoundedRock(const RoundedRockShape& shape, std::uint64_t key) {
     }
     return radius_m + roughness.At(radius_m * direction);
   });
-  return WithSummitAt(std::move(rock), shape.summit_up_m);
+  return WithTargetAt(std::move(rock), NormalOf(shape.face_up_rad, shape.face_turn_rad),
+                      shape.target_up_m);
 }
 
 }  // namespace dockyard

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr std::uint64_t kRocks = 40;
 
 StarBody Rock(std::uint64_t key, double roughness_m = 0.0) {
-  return MakeRoundedRock({.width_m = 0.6, .summit_up_m = 0.25, .roughness_m = roughness_m}, key);
+  return MakeRoundedRock({.width_m = 0.6, .target_up_m = 0.25, .roughness_m = roughness_m}, key);
 }
 
 TEST(RoundedRock, ItsSummitLiesOverTheOrigin) {
@@ -94,6 +94,26 @@ TEST(RoundedRock, HasHollows) {
     hollow += deepest_m > 2e-3;
   }
   EXPECT_GE(hollow, static_cast<int>(kRocks) / 3);
+}
+
+// Of a can's face on it: triangles of 9 mm, hollows and rounded edges turn it by some degrees.
+TEST(RoundedRock, ItsTargetHasTheNormalThatWasAskedFor) {
+  std::vector<double> off_deg;
+  for (std::uint64_t key = 1; key <= kRocks; ++key) {
+    for (const double up_deg : {20.0, 40.0, 55.0}) {
+      const double up_rad = Radians(up_deg), turn_rad = Radians(30.0);
+      const StarBody rock = MakeRoundedRock(
+          {.target_up_m = 0.25, .face_up_rad = up_rad, .face_turn_rad = turn_rad}, key);
+      const Vector3d normal(std::cos(up_rad) * std::cos(turn_rad),
+                            std::cos(up_rad) * std::sin(turn_rad), std::sin(up_rad));
+      EXPECT_NEAR(DepthIn(rock, {0.0, 0.0, 0.25}).depth_m, 0.0, 1e-9);
+      const auto felt = NormalUnderDisc(rock, {0.0, 0.0, 0.25}, normal, 0.033);
+      ASSERT_TRUE(felt);
+      off_deg.push_back(Degrees(std::acos(std::min(1.0, felt->dot(normal)))));
+    }
+  }
+  EXPECT_LT(Median(off_deg), 5.0);
+  EXPECT_LT(*std::ranges::max_element(off_deg), 30.0);
 }
 
 TEST(RoundedRock, SameKeySameRock) {

@@ -75,7 +75,7 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
   const auto rounded_with_rim = [](Scenario& s) {
     s.of_system = ParseYaml("{task: place, boulder: rounded, rim_m: 0.1}", "test.yaml");
   };
-  EXPECT_THAT(error(rounded_with_rim), HasSubstr("whose summit is the target"));
+  EXPECT_THAT(error(rounded_with_rim), HasSubstr("which has no edge"));
 }
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
