@@ -84,8 +84,14 @@ Event Approach::Drive(const Arc& part, double yaw_rad) {
   return Event::kPlanned;
 }
 
+ImuSample Approach::OverGround(ImuSample attitude) const {
+  if (options_.ground_as_body) attitude.roll_rad = attitude.pitch_rad = 0.0;
+  return attitude;
+}
+
 TargetSighting Approach::Detect(const StereoImages& images, const SensorFrame& sensed) {
-  const ExposurePrior prior = target_.At(ExposureOfFront(sensed));
+  ExposurePrior prior = target_.At(ExposureOfFront(sensed));
+  prior.attitude = OverGround(prior.attitude);
   const GroundDetection detection =
       DetectTarget(stereo_, images, prior, nominal_.target_px, memory_);
   target_.Take(prior, detection);
@@ -95,9 +101,10 @@ TargetSighting Approach::Detect(const StereoImages& images, const SensorFrame& s
 
 TargetSighting Approach::Inspect(const StereoImages& images, const SensorFrame& sensed) {
   const Eigen::Vector2d& p_RT = target_.p_RT();
-  const GroundMaps maps = stereo_.MapsAbout(stereo_.Look(images, sensed.imu), p_RT);
+  const ImuSample attitude = OverGround(sensed.imu);
+  const GroundMaps maps = stereo_.MapsAbout(stereo_.Look(images, attitude), p_RT);
   const TargetSighting sighting = memory_.tracker->Check(maps, {p_RT.x(), p_RT.y(), 0.0});
-  Keep(sighting, sensed.imu);
+  Keep(sighting, attitude);
   Tell(Name(Phase::kInspect), sighting.why);
   return sighting;
 }
@@ -162,7 +169,7 @@ Event Approach::Decide(double yaw_rad) {
 // Whether the target's surroundings are worth another pair with another exposure.
 bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   if (!options_.exposes_for_target) return false;
-  const auto at = memory_.begun ? FrontPixel(nominal_, attitude, target_.p_RT())
+  const auto at = memory_.begun ? FrontPixel(nominal_, OverGround(attitude), target_.p_RT())
                                 : std::optional(nominal_.target_px);
   const auto more = at ? MoreStops(left, *at, kStoneLevel_px, stops_) : std::nullopt;
   stops_ += more.value_or(0.0);

@@ -17,6 +17,8 @@ namespace dockyard::rocky7 {
 
 struct ApproachOptions {
   FrontEnd front_end = FrontEnd::kSandAndStones;
+  // The ground ahead is taken to be parallel to the body, as on a slope; else level, by the unit.
+  bool ground_as_body = false;
   double image_share = 0.1;    // of the way that is left, then the rover looks
   double least_step_m = 0.03;  // what is left is driven at once when it is no longer than this
   // Of an arc to the target all but the last bit is driven at once, with a look each time it has
@@ -64,6 +66,8 @@ class Approach {
     int misses = 0;          // image pairs in a row, under way, without the target
   };
   TargetSighting Detect(const StereoImages& images, const SensorFrame& sensed);
+  /// Of the body over the ground as it is taken to be.
+  ImuSample OverGround(ImuSample attitude) const;
   void Keep(const TargetSighting& sighting, const ImuSample& attitude);
   Event DecideBy(const TargetSighting& sighting, double yaw_rad);
   Event Decide(double yaw_rad);

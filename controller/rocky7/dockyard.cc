@@ -8,7 +8,8 @@ namespace dockyard::rocky7 {
 namespace {
 
 // Larger steps than the paper's, as the window follows from them. Assumed, 0.15-0.4.
-constexpr ApproachOptions kOptions{.image_share = 0.25,
+constexpr ApproachOptions kOptions{.ground_as_body = true,
+                                   .image_share = 0.25,
                                    .least_step_m = 0.06,
                                    .look_each_m = 0.12,  // assumed, 8-20 cm
                                    .claim_share = 0.7,   // assumed, 0.4-0.8: what is seen errs too

@@ -14,7 +14,8 @@ namespace dockyard::rocky7 {
 namespace {
 
 RunRecord RunFrom(const System& system, const std::string& controller, const std::string& soil,
-                  std::uint64_t seed, const std::string& task = "reach", double from_m = 1.3) {
+                  std::uint64_t seed, const std::string& task = "reach", double from_m = 1.3,
+                  double slope_deg = 0.0, double downhill_deg = 0.0) {
   CampaignRun run;
   Scenario& scenario = run.scenario;
   scenario.name = "test";
@@ -27,6 +28,8 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
   scenario.yard.length_m = scenario.yard.width_m = 3.0 + from_m;
   scenario.yard.cell_m = 0.01;
   scenario.yard.undulation_rms_m = 0.003;
+  scenario.yard.slope_rad = Radians(slope_deg);
+  scenario.yard.downhill_rad = Radians(downhill_deg);
   scenario.time_limit_s = 200.0;
   scenario.seed = seed;
   return Simulate(system, run, {});
@@ -85,6 +88,14 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   // It looks while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12 cm.
   EXPECT_GE(looks->under_way, 3);
   EXPECT_GE(looks->standing, 2);
+}
+
+// The ground ahead is not level, and the rover drifts down it.
+TEST(Rocky7ClosedLoop, OursGraspsOnASlope) {
+  const System system = Rocky7System({{"dockyard", MakeDockyardController}});
+  const RunRecord record =
+      RunFrom(system, "dockyard", "compact_gravel", 1, "grasp", 1.6, 9.0, 127.0);
+  EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
 }
 
 // Two metres to a boulder whose face looks past the rover, so that it must come by two arcs.
