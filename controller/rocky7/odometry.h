@@ -13,7 +13,7 @@ namespace dockyard::rocky7 {
 inline constexpr double kSlipSigma = 0.08;
 /// More is not believed of looks. Assumed, 0.3-0.7.
 inline constexpr double kMostSlip = 0.5;
-/// Of the drift of a metre at a roll of 90 deg, 1 sigma: wheels in loose soil drift by 0.6.
+/// Of the drift of a metre at a roll of 90 deg, 1 sigma; one run on compact gravel had 0.6.
 /// Assumed, 0.5-1.5.
 inline constexpr double kDriftSigma = 1.0;
 /// What a rover with tandem wheels turns on an arc of 1 m, of what they count: 83 to 87 %

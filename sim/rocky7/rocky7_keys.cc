@@ -45,7 +45,9 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
   keys.Degrees(
       {"face_up_deg", "deg",
        "the same: outward normal there, over the horizontal; 90 is a rounded rock's summit"},
-      values.face_up_rad, Between(0.0, 90.0));
+      values.face_up_rad,
+      keys.Limits(Between(0.0, values.boulder == BoulderKind::kFaced ? 80.0 : 90.0),
+                  Between(0.0, 90.0)));
   keys.Degrees({"face_turn_deg", "deg", "the same: that normal in plan, from the x axis of D"},
                values.face_turn_rad, Between(-180.0, 180.0));
   keys.Number(

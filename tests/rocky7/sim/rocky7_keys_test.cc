@@ -76,6 +76,10 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
     s.of_system = ParseYaml("{task: place, boulder: rounded, rim_m: 0.1}", "test.yaml");
   };
   EXPECT_THAT(error(rounded_with_rim), HasSubstr("which has no edge"));
+  const auto face_of_a_summit = [](Scenario& s) {
+    s.of_system = ParseYaml("{task: place, face_up_deg: 85}", "test.yaml");
+  };
+  EXPECT_THAT(error(face_of_a_summit), HasSubstr(">= 0 and <= 80"));
 }
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
