@@ -15,7 +15,8 @@ constexpr double kRollSigma = Radians(1.5);   // ground under robot and pyramid;
 constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed, 5-15 mm
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
 // Of a window, at most. From kFine_m on the strips are 4 px wide and less: cells of 4 px would hide
-// their edges, and ranges at 2.5-4 m be off by 5 instead of 3 %. Assumed, 1.2-2 m.
+// their edges, and angles at 2.5-4 m be off by 4.2 instead of 1.5 deg (docs/raposa.md). Assumed,
+// 1.2-2 m.
 constexpr int kGridCells = 250, kFitCells = 1000, kFineFitCells = 2000;
 constexpr double kFine_m = 1.6;
 // Of a window about the marks, at kLimitsFocal_px. Assumed, 5-10.

@@ -24,8 +24,8 @@ constexpr int kSides = 7, kTops = 4;
 constexpr double kSideLow_rad = 0.0, kSideHigh_rad = 0.6, kTopLow_rad = 0.85, kTopHigh_rad = 1.25;
 // A face may be nearer to the middle by this share. Assumed, 0-0.3.
 constexpr double kUneven = 0.2;
-// Of the norm that rounds the edges: larger is sharper. With 8 a summit is round with a radius of
-// 5-20 cm on a rock of 0.6 m. Assumed, 5-16.
+// Of the norm that rounds the edges: larger is sharper. Rocks of 0.6 m have summits with a radius
+// of 8-40 cm in the median (rounded_rock_test.cc). Assumed, 5-16.
 constexpr double kLeastNorm = 5.0, kMostNorm = 14.0;
 // Hollows: as deep as this share of the radius, as wide as this angle. Assumed, 0-5, 0-12 %,
 // 10-35 deg.
