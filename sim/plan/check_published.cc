@@ -35,6 +35,9 @@ void CheckPublished(const Published& published, const std::vector<CampaignNames>
     RequireLabels(failure.where, first);
     for (const FailureCase& each : failure.cases) {
       RequireAll(each.outcomes, first.outcomes, "an outcome of the system");
+      for (const ColumnFilter& filter : each.where) {
+        Require(filter.column, first.measures, "a column of results.csv");
+      }
     }
   }
   std::vector<std::string> names;
@@ -45,7 +48,9 @@ void CheckPublished(const Published& published, const std::vector<CampaignNames>
     return campaigns.at(static_cast<std::size_t>(at - names.begin()));
   };
   for (const PublishedRow& row : published.rows) {
-    RequireLabels(row.where, row.campaign ? of(*row.campaign) : first);
+    const CampaignNames& its = row.campaign ? of(*row.campaign) : first;
+    RequireLabels(row.where, its);
+    RequireAll(row.outcomes, its.outcomes, "an outcome of the system");
   }
   for (const PublishedMeasure& measure : published.measures) {
     const CampaignNames& its = of(measure.campaign);

@@ -66,6 +66,24 @@ std::vector<LabelFilter> FiltersOf(const YamlReader& in) {
   return filters;
 }
 
+/// {column: number} or {column: [numbers]}.
+std::vector<ColumnFilter> ColumnFiltersOf(const YamlReader& in) {
+  std::vector<ColumnFilter> filters;
+  for (LabelFilter& filter : FiltersOf(in)) {
+    ColumnFilter found{std::move(filter.label), {}};
+    for (const std::string& text : filter.texts) {
+      const auto value = NumberFromText(text);
+      if (!value) {
+        throw ConfigError(found.column.place.Text() + ": " + found.column.path +
+                          ": expected numbers of the column, found '" + text + "'");
+      }
+      found.values.push_back(*value);
+    }
+    filters.push_back(std::move(found));
+  }
+  return filters;
+}
+
 /// [count, runs]
 std::optional<PublishedCount> CountOf(const YamlReader& in, const char* key) {
   if (!in.Has(key)) return std::nullopt;
@@ -127,17 +145,19 @@ std::size_t RowNamed(const PublishedName& name, const Published& published) {
 
 void ReadRows(const YamlReader& in, Published& published) {
   in.List("rows", 1, kMostItems);
-  ForItems(in, "rows", {"name", "paper", "where", "campaign", "runs"}, [&](const YamlReader& item) {
-    PublishedRow row{item.Text("name"), CountOf(item, "paper"), FiltersOf(item)};
-    if (item.Has("campaign")) {
-      // The paper's runs are repeated by the first campaign alone.
-      row.campaign = NameOf(item, "campaign");
-      row.runs = item.Integer("runs", 1, kMostRuns);
-    } else if (item.Has("runs")) {
-      item.Refuse("runs", "none without a campaign: the first has the paper's");
-    }
-    published.rows.push_back(std::move(row));
-  });
+  ForItems(in, "rows", {"name", "paper", "where", "campaign", "runs", "outcomes"},
+           [&](const YamlReader& item) {
+             PublishedRow row{item.Text("name"), CountOf(item, "paper"), FiltersOf(item)};
+             if (item.Has("campaign")) {
+               // The paper's runs are repeated by the first campaign alone.
+               row.campaign = NameOf(item, "campaign");
+               row.runs = item.Integer("runs", 1, kMostRuns);
+             } else if (item.Has("runs")) {
+               item.Refuse("runs", "none without a campaign: the first has the paper's");
+             }
+             row.outcomes = NamesOf(item, "outcomes");
+             published.rows.push_back(std::move(row));
+           });
   published.total = RowNamed(NameOf(in, "total"), published);
   for (const PublishedName& name : NamesOf(in, "judged")) {
     const std::size_t row = RowNamed(name, published);
@@ -151,21 +171,24 @@ void ReadRows(const YamlReader& in, Published& published) {
 }
 
 void ReadFailures(const YamlReader& in, Published& published) {
-  ForItems(
-      in, "failures", {"name", "paper", "says", "where", "cases"}, [&](const YamlReader& item) {
-        FailureClass failure{item.Text("name"),
-                             CountOf(item, "paper"),
-                             item.TextOr("says", ""),
-                             FiltersOf(item),
-                             {}};
-        item.List("cases", 1, kMostItems);
-        ForItems(item, "cases", {"outcomes", "sighting", "methods"}, [&](const YamlReader& each) {
-          FailureCase found{NamesOf(each, "outcomes"), false, TextsOf(each, "methods")};
-          if (each.Has("sighting")) found.wrong_sighting = each.Choice("sighting", {"wrong"}) == 0;
-          failure.cases.push_back(std::move(found));
-        });
-        published.failures.push_back(std::move(failure));
-      });
+  ForItems(in, "failures", {"name", "paper", "says", "where", "cases"},
+           [&](const YamlReader& item) {
+             FailureClass failure{item.Text("name"),
+                                  CountOf(item, "paper"),
+                                  item.TextOr("says", ""),
+                                  FiltersOf(item),
+                                  {}};
+             item.List("cases", 1, kMostItems);
+             ForItems(item, "cases", {"outcomes", "sighting", "methods", "where"},
+                      [&](const YamlReader& each) {
+                        FailureCase found{NamesOf(each, "outcomes"), false,
+                                          TextsOf(each, "methods"), ColumnFiltersOf(each)};
+                        if (each.Has("sighting"))
+                          found.wrong_sighting = each.Choice("sighting", {"wrong"}) == 0;
+                        failure.cases.push_back(std::move(found));
+                      });
+             published.failures.push_back(std::move(failure));
+           });
   published.others = in.TextOr("others", "");
 }
 

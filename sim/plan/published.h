@@ -22,6 +22,12 @@ struct LabelFilter {
   std::vector<std::string> texts;
 };
 
+/// Runs whose column of results.csv has one of these numbers.
+struct ColumnFilter {
+  PublishedName column;
+  std::vector<double> values;
+};
+
 struct PublishedCount {
   int count = 0, runs = 0;
 };
@@ -33,13 +39,15 @@ struct PublishedRow {
   std::vector<LabelFilter> where;           // all must hold
   std::optional<PublishedName> campaign{};  // none: the first
   int runs = 0;  // that it must have here; 0: the paper's, each once a replication
+  std::vector<PublishedName> outcomes{};  // that it counts; empty: those of `counted`
 };
 
 /// A way to tell a class of failures from a run: all that is set must hold.
 struct FailureCase {
-  std::vector<PublishedName> outcomes;  // one of these; empty: any
-  bool wrong_sighting = false;          // the last accepted one is wrong
-  std::vector<std::string> methods;     // of the last accepted sighting; empty: any
+  std::vector<PublishedName> outcomes{};  // one of these; empty: any
+  bool wrong_sighting = false;            // the last accepted one is wrong
+  std::vector<std::string> methods{};     // of the last accepted sighting; empty: any
+  std::vector<ColumnFilter> where{};
 };
 
 struct FailureClass {

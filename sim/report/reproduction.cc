@@ -15,6 +15,22 @@ bool Contains(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
+/// Of one of the summed columns; NaN where the row does not have it.
+double ValueOf(const RunResult& row, const RowColumns& columns, const std::string& name) {
+  const std::vector<Column> summed = SummedColumns(columns);
+  const auto at = std::find_if(summed.begin(), summed.end(),
+                               [&](const Column& column) { return column.name == name; });
+  return SummedValue(row, static_cast<std::size_t>(at - summed.begin()));
+}
+
+bool Matches(const std::vector<ColumnFilter>& where, const RunResult& row,
+             const RowColumns& columns) {
+  return std::all_of(where.begin(), where.end(), [&](const ColumnFilter& filter) {
+    const double value = ValueOf(row, columns, filter.column.text);
+    return std::find(filter.values.begin(), filter.values.end(), value) != filter.values.end();
+  });
+}
+
 bool Names(const std::vector<PublishedName>& names, const std::string& text) {
   return std::any_of(names.begin(), names.end(),
                      [&](const PublishedName& name) { return name.text == text; });
@@ -26,7 +42,8 @@ RowFinding FindRow(const Published& published, std::size_t place, const Campaign
   for (const RunResult& row : results.rows) {
     if (!Matches(found.row->where, row, results.columns)) continue;
     ++found.runs;
-    found.successes += Counts(published, row);
+    const auto& outcomes = found.row->outcomes;
+    found.successes += outcomes.empty() ? Counts(published, row) : Names(outcomes, row.outcome);
   }
   const auto& judged = published.judged;
   const bool of_judged = std::find(judged.begin(), judged.end(), place) != judged.end();
@@ -55,9 +72,10 @@ bool Wrong(const SightingError& error, const Published& published) {
          std::abs(error.heading_error_rad) > published.wrong_heading_rad;
 }
 
-bool Holds(const FailureCase& given, const RunResult& row, const SightingError* last,
-           const Published& published) {
+bool Holds(const FailureCase& given, const RunResult& row, const RowColumns& columns,
+           const SightingError* last, const Published& published) {
   if (!given.outcomes.empty() && !Names(given.outcomes, row.outcome)) return false;
+  if (!Matches(given.where, row, columns)) return false;
   if (!given.wrong_sighting && given.methods.empty()) return true;
   if (last == nullptr) return false;
   if (!given.methods.empty() && !Contains(given.methods, last->method)) return false;
@@ -71,8 +89,9 @@ std::size_t ClassOf(const RunResult& row, const CampaignResults& results,
   for (std::size_t i = 0; i < published.failures.size(); ++i) {
     const FailureClass& failure = published.failures[i];
     if (!Matches(failure.where, row, results.columns)) continue;
-    if (std::any_of(failure.cases.begin(), failure.cases.end(),
-                    [&](const FailureCase& each) { return Holds(each, row, last, published); })) {
+    if (std::any_of(failure.cases.begin(), failure.cases.end(), [&](const FailureCase& each) {
+          return Holds(each, row, results.columns, last, published);
+        })) {
       return i;
     }
   }

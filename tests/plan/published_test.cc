@@ -91,6 +91,32 @@ TEST_F(PublishedFile, HasRowsOfFurtherCampaignsWithTheRunsThatTheyNeed) {
               testing::HasSubstr("the name of a campaign of this file, found 'greed'"));
 }
 
+TEST_F(PublishedFile, SelectsFailuresByColumnsOfTheResults) {
+  const std::string before = "cases: [{", by_column = before + "where: {recoveries: [1, 2.5]}, ";
+  const Published published = Load(Replaced(kGood, before, by_column));
+  EXPECT_NO_THROW(CheckPublished(published, {Names()}));
+  const FailureCase& found = published.failures.at(0).cases.at(0);
+  EXPECT_EQ(found.outcomes.size(), 1u);
+  EXPECT_EQ(found.where.at(0).column.text, "recoveries");
+  EXPECT_EQ(found.where.at(0).values, (std::vector<double>{1.0, 2.5}));
+  EXPECT_EQ(Refusal(before, before + "where: {recovery: 1}, "),
+            "p.yaml:11:43: failures[0].cases[0].where.recovery: expected a column of results.csv, "
+            "found 'recovery'; nearest is 'recoveries'");
+  EXPECT_EQ(Refusal(before, before + "where: {recoveries: some}, "),
+            "p.yaml:11:43: failures[0].cases[0].where.recoveries: expected numbers of the column, "
+            "found 'some'");
+}
+
+TEST_F(PublishedFile, HasRowsThatCountOutcomesOfTheirOwn) {
+  const std::string inside = "where: {region: interior}";
+  const Published published = Load(Replaced(kGood, inside, inside + ", outcomes: [docked]"));
+  EXPECT_NO_THROW(CheckPublished(published, {Names()}));
+  EXPECT_TRUE(published.rows[0].outcomes.empty());
+  EXPECT_EQ(published.rows[2].outcomes.at(0).text, "docked");
+  EXPECT_THAT(Refusal(inside, inside + ", outcomes: [docket]"),
+              testing::HasSubstr("rows[2].outcomes[0]: expected an outcome of the system"));
+}
+
 TEST_F(PublishedFile, MustSpeakOfWhatItsCampaignsHave) {
   EXPECT_EQ(Refusal("counted: [docked]", "counted: [docket]"),
             "p.yaml:4:11: counted[0]: expected an outcome of the system, found 'docket'; nearest "

@@ -203,6 +203,36 @@ TEST_F(Reproduced, PutsEachFailureIntoTheFirstClassThatHolds) {
   EXPECT_THAT(ReproductionText(found), ContainsRegex("others +4 of 80 +4 at most\n"));
 }
 
+// Runs have 0.4, 0.5, 0.6 and 0.7 A in turn, the first one 0.5.
+TEST_F(Reproduced, PutsAFailureIntoAClassByAColumnOfItsResults) {
+  for (int i = 0; i < 9; ++i) Add("interior", "fine", i < 3 ? "docked" : "lost");
+  Add("interior", "fine", kCrashed);
+  FailureClass& blind = published_.failures.at(2);
+  blind.cases = {{.where = {{{"current_a", {}, ""}, {0.4, 0.7}}}}};
+  EXPECT_EQ(Judge().failures.at(2).count, 3);  // runs 4, 7 and 8; not 3, which docked
+  blind.cases = {{.outcomes = {{"lost", {}, ""}}, .where = {{{"sim_time_s", {}, ""}, {99.5}}}}};
+  EXPECT_EQ(Judge().failures.at(2).count, 6);
+  blind.cases = {{.outcomes = {{"misnamed", {}, ""}}, .where = {{{"sim_time_s", {}, ""}, {99.5}}}}};
+  EXPECT_EQ(Judge().failures.at(2).count, 0);
+}
+
+TEST_F(Reproduced, ARowCountsTheOutcomesThatItNames) {
+  AddRegion("interior", 36, 48, "misnamed");
+  AddRegion("boundary", 18, 32, "lost");
+  published_.rows.at(2) = {.name = "wrong point",
+                           .paper = PublishedCount{6, 40},
+                           .where = {},
+                           .outcomes = {{"misnamed", {}, ""}}};
+  const ReproductionFinding found = Judge();
+  EXPECT_EQ(found.rows[0].successes, 54);
+  EXPECT_EQ(found.rows[2].successes, 12);
+  EXPECT_EQ(found.rows[2].runs, 80);
+  EXPECT_TRUE(found.rows[2].counts);
+  EXPECT_TRUE(found.rows[2].inside());
+  published_.rows.at(2).paper = PublishedCount{30, 40};
+  EXPECT_EQ(VerdictText(Judge()), "outside: wrong point");
+}
+
 TEST_F(Reproduced, AveragesErrorsAboutEachDistance) {
   AddRegion("interior", 2, 2, "lost");
   Sight(1, 0.01, 0.02, "stereo", 1.25);
