@@ -16,6 +16,9 @@ namespace dockyard {
 /// Which way an arc may be driven.
 enum class Travel { kEither, kForward, kBackward };
 
+/// Sharper arcs turn standing wheels far, which pushes the rover aside. Assumed, 0.7-1.5 m.
+inline constexpr double kGentleRadius_m = 1.0;
+
 struct ArcLimits {
   double least_radius_m = 0.0;  // of every arc; 0: turns in place are allowed
   Travel travel = Travel::kEither;

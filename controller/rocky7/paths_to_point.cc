@@ -12,9 +12,8 @@ namespace {
 // First arcs of a path of two: lengths in steps up to a longest. Assumed, 2-10 cm and 0.3-1 m.
 constexpr double kFirstStep_m = 0.03, kFirstLongest_m = 0.6;
 constexpr int kFirstCurvatures = 3;
-// A shorter first arc is lost in the sand as the wheels start and stop. Gentle arcs have this
-// radius at least. Assumed, 5-15 cm and 0.7-1.5 m.
-constexpr double kFirstShortest_m = 0.09, kGentle_m = 1.0;
+// A shorter first arc is lost in the sand as the wheels start and stop. Assumed, 5-15 cm.
+constexpr double kFirstShortest_m = 0.09;
 // All paths of one arc or two, as the limits let them.
 template <class Visit>
 void ForEachPath(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP, const ArcLimits& limits,
@@ -58,7 +57,7 @@ std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d&
 std::vector<Arc> GentleArcsToPoint(const Eigen::Vector2d& p_RG, const RoverPlan& plan) {
   const ArcLimits limits = GentleLimits(plan);
   ArcLimits gentle = limits;
-  gentle.least_radius_m = std::max(limits.least_radius_m, kGentle_m);
+  gentle.least_radius_m = std::max(limits.least_radius_m, kGentleRadius_m);
   const std::vector<Arc> path = ArcsToPoint(p_RG, plan.p_RP, gentle);
   return path.empty() ? ArcsToPoint(p_RG, plan.p_RP, limits) : path;
 }

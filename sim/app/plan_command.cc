@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -24,7 +25,7 @@ struct PlanArguments {
   std::optional<double> heading_deg;
   double min_radius_m = 0.0, margin_m = 0.05;
   int arcs = 2;
-  bool forward_only = false, json = false;
+  bool forward_only = false, pivot = false, json = false;
   std::string robot, obstacles, svg, page;
 };
 
@@ -42,8 +43,10 @@ Metres, in the frame of the rover's reference point before it moves: x forward, 
 of every turn on the y axis. Without --heading-deg one arc leads to the goal. With it two arcs do,
 those of least cost by the paper's Eq. (14), twice the longer of both; or three, the shortest found.
 An arc has a length, negative backwards, and a turn, counter-clockwise. cost_m of one arc and of
-three is their length. A rover's file has its wheels, whose steering limits hold, and its outline,
-which keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
+three is their length. A rover's file has its wheels, whose steering limits hold. The rover turns in
+place with --pivot alone. Without --min-radius its arcs have a radius of 1 m or more; where no such
+arcs lead to the goal, they are as sharp as its wheels steer. The file has the rover's outline, which
+keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
 100 000 discs with the columns x_m, y_m, radius_m. Candidates are shown for one and two arcs, not
 for three.
 Exit code 4: there are no such arcs.)";
@@ -52,17 +55,35 @@ constexpr std::size_t kManyDiscs = 1000;  // fewer are compared one by one as qu
 
 struct Request {
   PathTask task;
+  std::vector<ArcLimits> limits;  // the first ones with a path count
   bool json = false;
   std::string svg, page;
 };
 
-// The narrower of both.
-ArcLimits LimitsOf(const PlanArguments& in, const RoverPlan& rover) {
+// Turns in place "are not reliable" and are to be eliminated (Nesnas, Maimone and Das, III-B).
+std::vector<ArcLimits> LimitsToTry(const PlanArguments& in, const RoverPlan& rover) {
   const Travel travel = in.forward_only ? Travel::kForward : Travel::kEither;
   ArcLimits limits = LimitsOf(rover.wheels, travel);
-  if (in.min_radius_m > limits.least_radius_m) limits.least_radius_m = in.min_radius_m;
-  if (in.min_radius_m > 0.0) limits.pivot_radius_m.reset();
-  return limits;
+  if (in.pivot) return {limits};
+  limits.pivot_radius_m.reset();
+  ArcLimits gentle = limits;
+  const bool given = in.min_radius_m > 0.0 || in.robot.empty();
+  gentle.least_radius_m =
+      std::max(limits.least_radius_m, given ? in.min_radius_m : kGentleRadius_m);
+  // Wheels without a limit could turn in place.
+  if (given || limits.least_radius_m == 0.0) return {gentle};
+  return {gentle, limits};
+}
+
+// Leaves the limits that counted in the task.
+PlannedPath PlanFirst(const std::vector<ArcLimits>& limits, PathTask& task) {
+  PlannedPath plan;
+  for (const ArcLimits& each : limits) {
+    task.limits = each;
+    plan = PlanPath(task);
+    if (plan.best) break;
+  }
+  return plan;
 }
 
 Eigen::Vector2d Place(const std::vector<double>& xy) { return {xy[0], xy[1]}; }
@@ -72,15 +93,16 @@ Request RequestOf(const PlanArguments& in) {
   if (in.robot.empty()) {
     if (!in.obstacles.empty()) throw UsageError("--obstacles needs --robot, for its outline");
     if (!in.page.empty()) throw UsageError("--page needs --robot, to show it");
+    if (in.pivot) throw UsageError("--pivot needs --robot, whose wheels may turn in place");
     if (!in.in_view_m.empty()) throw UsageError("--keep-in-view needs --robot, for its cameras");
   }
-  Request request{{}, in.json, in.svg, in.page};
+  Request request{{}, {}, in.json, in.svg, in.page};
   PathTask& task = request.task;
   if (!in.robot.empty()) task.rover = LoadRoverPlan(in.robot);
   task.p_RP = in.point_m.empty() ? task.rover.p_RP : Place(in.point_m);
   task.p_AG = Place(in.goal_m);
   if (in.heading_deg) task.heading = Radians(*in.heading_deg);
-  task.limits = LimitsOf(in, task.rover);
+  request.limits = LimitsToTry(in, task.rover);
   task.arcs = in.arcs;
   if (!in.obstacles.empty()) {
     task.demands.obstacles = LoadObstacles(in.obstacles);
@@ -157,8 +179,8 @@ void WarnOf(const Request& request, const PlannedPath& plan, std::vector<std::st
   }
 }
 
-int PrintPlan(const Request& request, Invocation& call) {
-  const PlannedPath plan = PlanPath(request.task);
+int PrintPlan(Request request, Invocation& call) {
+  const PlannedPath plan = PlanFirst(request.limits, request.task);
   WarnOf(request, plan, &call.warnings);
   if (!request.svg.empty()) WriteWhole(request.svg, PathSvg(request.task, plan));
   if (!request.page.empty() && plan.best) WriteWhole(request.page, PageOf(request.task, plan));
@@ -185,8 +207,11 @@ void AddPlanCommand(CLI::App& app, Invocation& call) {
   AddPlace("--goal", arguments->goal_m, "X,Y of where to bring it")->required();
   command->add_option("--heading-deg", arguments->heading_deg, "heading at the goal")
       ->check(NumberWithin(-360.0, 360.0));
-  command->add_option("--min-radius", arguments->min_radius_m, "least radius of an arc in m [0]")
-      ->check(NumberWithin(0.0, 1e4));
+  CLI::Option* min_radius =
+      command->add_option("--min-radius", arguments->min_radius_m, "least radius of an arc in m")
+          ->check(NumberWithin(0.0, 1e4));
+  command->add_flag("--pivot", arguments->pivot, "turns in place are allowed")
+      ->excludes(min_radius);
   command->add_flag("--forward-only", arguments->forward_only, "no arc backwards");
   command->add_option("--arcs", arguments->arcs, "2 or 3 arcs to a heading [2]")
       ->check(CLI::IsMember({2, 3}));

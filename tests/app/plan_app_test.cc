@@ -86,6 +86,44 @@ TEST(PlanCommand, KeepsTheSteeringLimitAndTheOutlineOfARover) {
   }
 }
 
+// A centimetre to the side with the same heading: the cheapest pair turns on the spot.
+TEST(PlanCommand, TurnsARoverInPlaceOnlyWhereThatIsAskedFor) {
+  const std::string aside = kRocky + " --goal 0.61,0.01 --heading-deg 0";
+  EXPECT_EQ(Dockyard("plan " + aside).code, 4);
+  const Json pivots = PlanOf(aside + " --pivot");
+  for (const Json& arc : pivots["arcs"]) {
+    EXPECT_NEAR(std::abs(arc["turn_rad"].get<double>()), M_PI, 1e-6);
+    EXPECT_LT(std::abs(arc["length_m"].get<double>()), 0.02);
+  }
+  for (const Json& arc : PlanOf(aside + " --arcs 3")["arcs"]) {
+    EXPECT_LE(std::abs(arc["turn_rad"].get<double>()), 0.3);
+  }
+  EXPECT_EQ(Dockyard("plan " + aside + " --pivot --min-radius 1").code, 2);
+}
+
+double LeastRadius(const Json& plan) {
+  double least_m = HUGE_VAL;
+  for (const Json& arc : plan["arcs"]) {
+    const double turn_rad = arc["turn_rad"].get<double>();
+    if (turn_rad == 0.0) continue;
+    least_m = std::min(least_m, std::abs(arc["length_m"].get<double>() / turn_rad));
+  }
+  return least_m;
+}
+
+TEST(PlanCommand, DrivesARoverOnSharpArcsOnlyWhereGentleOnesLeadNowhere) {
+  const std::string among =
+      " --goal 2.6,0.8 --heading-deg 10 --obstacles " + SourceFile("examples/obstacles.yaml");
+  const Json gentle = PlanOf(kRocky + among);
+  EXPECT_GE(LeastRadius(gentle), 1.0 - 1e-9);
+  EXPECT_LT(LeastRadius(PlanOf(kRocky + among + " --min-radius 0.3")), 1.0);
+  const double sharp_m =
+      LeastRadius(PlanOf(kRocky + " --goal 1.3,0.2 --heading-deg 40 --forward-only"));
+  EXPECT_LT(sharp_m, 1.0);
+  // The wheels' own: 0.40875 m ahead, 0.2 m aside, 70 deg.
+  EXPECT_NEAR(sharp_m, 0.40875 / std::tan(70.0 * M_PI / 180.0) + 0.2, 1e-6);
+}
+
 TEST(PlanCommand, WritesADrawingAndAPage) {
   const ScratchFolder folder;
   const std::string svg = folder.path() / "plan.svg", page = folder.path() / "plan.html";
@@ -158,7 +196,7 @@ TEST(PlanCommand, EndsWithTwoForArgumentsThatMakeNoSense) {
        {"", "--goal 1", "--goal 1,nan", "--goal 1,2,3", "--goal 1,2 --arcs 3",
         "--goal 1,2 --heading-deg 0 --arcs 4", "--goal 1,2 --min-radius -1",
         "--goal 1,2 --obstacles examples/obstacles.yaml", "--goal 1,2 --page x.html",
-        "--goal 1,2 --keep-in-view 1,1"}) {
+        "--goal 1,2 --keep-in-view 1,1", "--goal 1,2 --pivot"}) {
     const Ended ended = Dockyard(std::string("plan ") + arguments);
     EXPECT_EQ(ended.code, 2) << arguments;
     EXPECT_EQ(ended.out, "") << arguments;
