@@ -45,8 +45,8 @@ those of least cost by the paper's Eq. (14), twice the longer of both; or three,
 An arc has a length, negative backwards, and a turn, counter-clockwise. cost_m of one arc and of
 three is their length. A rover's file has its wheels, whose steering limits hold. The rover turns in
 place with --pivot alone. Without --min-radius its arcs have a radius of 1 m or more; where no such
-arcs lead to the goal, they are as sharp as its wheels steer. The file has the rover's outline, which
-keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
+arcs lead to the goal, they are as sharp as its wheels steer. The file has the rover's outline,
+which keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
 100 000 discs with the columns x_m, y_m, radius_m. Candidates are shown for one and two arcs, not
 for three.
 Exit code 4: there are no such arcs.)";
