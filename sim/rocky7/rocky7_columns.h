@@ -41,6 +41,7 @@ struct Rocky7Measures {
   // Of the last sighting, and the largest of all; NaN without one.
   double estimate_off_m = std::nan(""), worst_estimate_m = std::nan("");
   double wrong_sightings = 0.0;
+  double loss = std::nan("");  // as Loss; NaN without an image pair
   double looks = 0.0, driven_m = 0.0, grasps = 0.0, rise_m = 0.0;
   // Of a placement; NaN for other tasks, tilt and force without a contact, too.
   double touched = std::nan(""), tilt_deg = std::nan(""), face_force_n = std::nan("");
@@ -58,6 +59,10 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
         m.worst_estimate_m);
   visit("wrong_sightings", "", "estimates further from the target's middle than its width", false,
         m.wrong_sightings);
+  visit("loss", "",
+        "cause of a target that was lost and not found again: 1 field of view, 2 range data, 3 "
+        "several targets, 4 odometry, 5 colour; 0 none",
+        false, m.loss);
   visit("looks", "", "pairs of pictures", true, m.looks);
   visit("grasps", "", "times that the scoops were closed", false, m.grasps);
   visit("rise_m", "m", "the target over where it was, at the end", false, m.rise_m);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/rocky7/target_view.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
@@ -37,8 +39,7 @@ void Rocky7Judge::Observe() {
 }
 
 void Rocky7Judge::ObserveSighting(const SightingReport& report) {
-  if (!report.accepted) return;
-  sighted_ = true;
+  if (!report.accepted) return JudgeLock(report, false);
   // The report is in the body's frame. A stone's middle counts in plan, a boulder's point in space.
   const Truth& truth = plant_.truth();
   const Eigen::Vector3d p_G =
@@ -47,7 +48,29 @@ void Rocky7Judge::ObserveSighting(const SightingReport& report) {
   measures_.estimate_off_m =
       plant_.built().world.boulder ? (p_G - plant_.target_G()).norm() : p_G.head<2>().norm();
   measures_.worst_estimate_m = std::fmax(measures_.worst_estimate_m, measures_.estimate_off_m);
-  measures_.wrong_sightings += measures_.estimate_off_m > WidthOfTarget(plant_.built());
+  const bool wrong = measures_.estimate_off_m > WidthOfTarget(plant_.built());
+  measures_.wrong_sightings += wrong;
+  JudgeLock(report, !wrong);
+  sighted_ = true;
+}
+
+void Rocky7Judge::JudgeLock(const SightingReport& report, bool right) {
+  if (!approaches_) return;
+  if (right) {
+    losses_.Found();
+  } else if (losses_.has_target()) {
+    losses_.Lost(
+        CauseOf(TruthAt(plant_, report, sighted_ ? std::optional(believed_G_) : std::nullopt)));
+  }
+}
+
+void Rocky7Judge::ObserveBelief(const Belief& belief) {
+  approaches_ = ValueOf(belief, "grasps", 0.0) == 0.0 && ValueOf(belief, "placements", 0.0) == 0.0;
+  const Eigen::Vector2d now_R(ValueOf(belief, "target_x_m", 0.0),
+                              ValueOf(belief, "target_y_m", 0.0));
+  if (now_R == believed_R_) return;
+  believed_R_ = now_R;
+  believed_G_ = plant_.truth().X_GR * now_R;
 }
 
 bool Rocky7Judge::fatal() const { return plant_.truth().on_stone; }
@@ -118,6 +141,7 @@ Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
   const Truth end = plant_.truth();
   measures_.point_off_m = end.p_GP.head<2>().norm();
   measures_.looks = ValueOf(belief, "looks", 0.0);
+  if (losses_.loss()) measures_.loss = static_cast<double>(*losses_.loss());
   measures_.grasps = ValueOf(belief, "grasps", 0.0);
   EndOfRun found{.claimed = last.verdict,
                  .grasps = plant_.built().nominal.task == Task::kGrasp,

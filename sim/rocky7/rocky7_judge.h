@@ -4,6 +4,7 @@
 #include "sim/rocky7/outcome.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_plant.h"
+#include "sim/rocky7/target_loss.h"
 #include "sim/run/judge.h"
 
 namespace dockyard::rocky7 {
@@ -15,12 +16,15 @@ class Rocky7Judge final : public Judge {
 
   void Observe() override;
   void ObserveSighting(const SightingReport& report) override;
+  void ObserveBelief(const Belief& belief) override;
   bool fatal() const override;
   Conclusion Conclude(const Commands& last, const Belief& belief, const TrialWatch& watch) override;
 
  private:
   /// Steps the plant under these commands.
   void Play(const Commands& commands, Tick time, const char* phase, const TrialWatch& watch);
+  /// Whether the target was lost, and why. To be called before sighted_ counts this report.
+  void JudgeLock(const SightingReport& report, bool right);
   /// Where and how the instrument touched the boulder.
   void JudgeContact(EndOfRun& found);
   /// The least rise of the lifted stone while it is held and driven with; stops once it has fallen.
@@ -31,6 +35,11 @@ class Rocky7Judge final : public Judge {
   Rocky7Measures measures_;
   Pose2 X_GR_last_;
   bool lifted_ = false, sighted_ = false;
+  LossRecord losses_;
+  // The controller's belief of the target when it changed last: in R's plan as it was then, and in
+  // the site's; and whether arm and mast had not yet been sent out.
+  Eigen::Vector2d believed_R_{0, 0}, believed_G_{0, 0};
+  bool approaches_ = true;
   /// The instrument's face when it was pressed most.
   struct Contact {
     double force_n = 0.0;

@@ -28,6 +28,9 @@ class Judge {
   virtual void Observe() = 0;
   /// Called for every sighting that the controller reports, after Observe.
   virtual void ObserveSighting(const SightingReport& report) = 0;
+  /// Called every control period with what the controller believes, after ObserveSighting.
+  /// Neither is called for a controller that is a program.
+  virtual void ObserveBelief(const Belief&) {}
   /// Called when pictures that the controller asked for are lost.
   virtual void ObserveLostImages() {}
   /// Whether the run cannot go on.

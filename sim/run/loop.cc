@@ -175,6 +175,7 @@ class Run {
     ready_.judge->Observe();
     const Belief& belief = controller_->belief();
     if (belief.sighting_count > sightings_ && belief.last_sighting) KeepSighting(belief);
+    if (what_.scenario.command.empty()) ready_.judge->ObserveBelief(belief);
     if (belief.plan_count > plans_) {
       plans_ = belief.plan_count;
       record_.plans.push_back({time_s(), belief.plan});
