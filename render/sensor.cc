@@ -1,17 +1,19 @@
 // The sensor: from light on it to numbers. Linear; no gamma.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <span>
 
 #include "controller/base/check.h"
 #include "controller/base/two_widths.h"
+#include "render/exposure_rule.h"
+#include "render/frame_grabber.h"
 #include "render/kept_sensor.h"
 #include "render/optics.h"
 #include "render/pixel_noise.h"
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
+#include "render/video_fields.h"
 #include "render/window.h"
 
 namespace dockyard {
@@ -30,54 +32,23 @@ void CheckSensor(const SensorOptions& s) {
   DOCKYARD_CHECK(s.target_level > 0.0 && s.target_level <= 1.0);
   DOCKYARD_CHECK(s.fixed_exposure_e >= 0.0 && std::isfinite(s.fixed_exposure_e));
   DOCKYARD_CHECK(std::abs(s.exposure_stops) <= 16.0);
+  DOCKYARD_CHECK(s.video.noise_share >= 0.0 && s.video.noise_share <= 0.2);
+  DOCKYARD_CHECK(s.video.line_jitter_px >= 0.0 && s.video.line_jitter_px <= 5.0);
   CheckOptics(s);
   for (const WindowOptions& window : s.windows) CheckWindow(window);
-}
-
-// The k-th smallest of numbers that are not negative: their bits are in the same order, so first
-// the upper halves are counted, then the lower halves of those that share the upper.
-float Smallest(std::span<const RadianceImage> images, std::size_t k) {
-  std::vector<std::uint32_t> counts(1u << 16, 0);
-  const auto each = [&](auto visit) {
-    for (const RadianceImage& image : images) {
-      for (const float v : image.values) visit(std::bit_cast<std::uint32_t>(std::max(v, 0.0f)));
-    }
-  };
-  const auto find = [&] {
-    std::uint32_t bin = 0;
-    while (k >= counts[bin]) k -= counts[bin++];
-    return bin;
-  };
-  each([&](std::uint32_t bits) { ++counts[bits >> 16]; });
-  const std::uint32_t upper = find();
-  std::fill(counts.begin(), counts.end(), 0u);
-  each([&](std::uint32_t bits) {
-    if (bits >> 16 == upper) ++counts[bits & 0xffffu];
-  });
-  return std::bit_cast<float>(upper << 16 | find());
-}
-
-// The radiance that the given share of all pixels exceeds: the quantile itself.
-double ExceededBy(std::span<const RadianceImage> images, double percent) {
-  std::size_t count = 0;
-  for (const RadianceImage& image : images) count += image.values.size();
-  if (count == 0) return 0.0;
-  const auto above = static_cast<std::size_t>(0.01 * percent * static_cast<double>(count));
-  return Smallest(images, count - 1 - std::min(above, count - 1));
-}
-
-// Electrons of a pixel whose radiance is 1.
-double Gain(std::span<const RadianceImage> images, const SensorOptions& s) {
-  const double stops = std::exp2(s.exposure_stops);
-  if (s.fixed_exposure_e > 0.0) return stops * s.fixed_exposure_e;
-  // In the dark the exposure is limited.
-  const double cut = std::max(ExceededBy(images, s.exposure_percent), 1e-6);
-  return stops * s.target_level * s.full_well_e / cut;
 }
 
 // The stream of the pixels' responses.
 std::uint64_t PatternOf(const SensorOptions& s, int view) {
   return SplitMix(s.pattern_key, static_cast<std::uint64_t>(view));
+}
+
+// `view` is that of a grey image, or 2 + 3 times it and the channel: of a colour camera.
+VideoKeys VideoKeysOf(const SensorOptions& s, int view, std::uint64_t noise_key) {
+  constexpr std::uint64_t kLines = 0x6c696e6573, kNoise = 0x766964656f;
+  const int camera = view < 2 ? view : (view - 2) / 3;
+  return {.lines = SplitMix(SplitMix(s.noise_key, kLines), static_cast<std::uint64_t>(camera)),
+          .noise = SplitMix(noise_key, kNoise)};
 }
 
 // responses: of the pixels, or null where those are to be found.
@@ -94,6 +65,8 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   const auto levels_per_e = static_cast<float>(most / s.full_well_e);
   const auto sigma = static_cast<float>(s.response_sigma);
   const std::uint64_t pattern = PatternOf(s, view);
+  const bool direct = IsDirect(s.video);
+  std::vector<float> signal(direct ? 0 : out.pixels.size());  // into the frame grabber
   float electrons[kAtOnce], normal[kAtOnce], noisy[kAtOnce];
   for (std::size_t first = 0; first < out.pixels.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, out.pixels.size() - first);
@@ -114,11 +87,19 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
       if (electrons[i] >= kFewElectrons) continue;
       noisy[i] = DrawPoisson(electrons[i], key, first + i) + read_noise * normal[i];
     }
+    if (!direct) {
+      std::copy_n(noisy, count, &signal[first]);
+      continue;
+    }
     std::uint16_t* pixels = &out.pixels[first];
     for (std::size_t i = 0; i < count; ++i) {
       const float level = noisy[i] * levels_per_e + 0.5f;
       pixels[i] = static_cast<std::uint16_t>(std::min(std::max(level, 0.0f), most));
     }
+  }
+  if (!direct) {
+    out.pixels =
+        Grabbed(signal, image.width, s.full_well_e, s.bits, s.video, VideoKeysOf(s, view, key));
   }
   return out;
 }
@@ -158,21 +139,46 @@ GrayImage UpperBits(const DeepImage& deep) {
   return image;
 }
 
+// Of the light on the sensors.
+std::array<DeepImage, 2> DigitisePair(const std::array<RadianceImage, 2>& images,
+                                      const SensorOptions& sensor) {
+  const double gain = ElectronsOfRadiance(images, sensor);
+  return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
+          Digitise(images[1], gain, sensor, 1, SplitMix(sensor.noise_key, 1))};
+}
+
+// Of one camera that keeps its responses.
+GrayImage DigitiseKept(const RadianceImage& image, const SensorOptions& sensor, KeptSensor& kept) {
+  const auto sigma = static_cast<float>(sensor.response_sigma);
+  const std::vector<float>& responses =
+      kept.Responses(PatternOf(sensor, 0), sigma, image.values.size());
+  return UpperBits(Digitise(image, ElectronsOfRadiance({&image, 1}, sensor), sensor, 0,
+                            SplitMix(sensor.noise_key, 0), responses.data()));
+}
+
 }  // namespace
 
 std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                                     const SensorOptions& sensor) {
   CheckSensor(sensor);
-  const std::array<RadianceImage, 2> images = ThroughLens(std::move(radiance), rig, sensor);
-  const double gain = Gain(images, sensor);
-  return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
-          Digitise(images[1], gain, sensor, 1, SplitMix(sensor.noise_key, 1))};
+  return DigitisePair(ThroughLens(std::move(radiance), rig, sensor), sensor);
+}
+
+StereoImages ExposeFields(std::array<StereoRadiance, 2> fields, const StereoRig& rig,
+                          const SensorOptions& sensor) {
+  CheckSensor(sensor);
+  StereoRadiance even = ThroughLens(std::move(fields[0]), rig, sensor);
+  const StereoRadiance odd = ThroughLens(std::move(fields[1]), rig, sensor);
+  for (int view = 0; view < 2; ++view) even[view] = Interlaced(std::move(even[view]), odd[view]);
+  const std::array<DeepImage, 2> deep = DigitisePair(even, sensor);
+  return {.left = UpperBits(deep[0]), .right = UpperBits(deep[1])};
 }
 
 DeepImage ExposeOne(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor) {
   CheckSensor(sensor);
   const RadianceImage image = ThroughLens(std::move(radiance), camera, sensor, 0);
-  return Digitise(image, Gain({&image, 1}, sensor), sensor, 0, SplitMix(sensor.noise_key, 0));
+  return Digitise(image, ElectronsOfRadiance({&image, 1}, sensor), sensor, 0,
+                  SplitMix(sensor.noise_key, 0));
 }
 
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor) {
@@ -182,13 +188,18 @@ GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorO
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor,
                      KeptSensor& kept) {
   CheckSensor(sensor);
-  const auto sigma = static_cast<float>(sensor.response_sigma);
-  const RadianceImage image = ThroughLens(std::move(radiance), camera, sensor, 0,
-                                          &kept.Falloff(camera, sensor.vignetting_exponent));
-  const std::vector<float>& responses =
-      kept.Responses(PatternOf(sensor, 0), sigma, image.values.size());
-  return UpperBits(Digitise(image, Gain({&image, 1}, sensor), sensor, 0,
-                            SplitMix(sensor.noise_key, 0), responses.data()));
+  const RadianceImage& falloff = kept.Falloff(camera, sensor.vignetting_exponent);
+  return DigitiseKept(ThroughLens(std::move(radiance), camera, sensor, 0, &falloff), sensor, kept);
+}
+
+GrayImage ExposeFields(std::array<RadianceImage, 2> fields, const Camera& camera,
+                       const SensorOptions& sensor, KeptSensor& kept) {
+  CheckSensor(sensor);
+  const RadianceImage& falloff = kept.Falloff(camera, sensor.vignetting_exponent);
+  for (RadianceImage& field : fields) {
+    field = ThroughLens(std::move(field), camera, sensor, 0, &falloff);
+  }
+  return DigitiseKept(Interlaced(std::move(fields[0]), fields[1]), sensor, kept);
 }
 
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
@@ -215,7 +226,7 @@ std::array<std::array<DeepImage, 3>, 2> ExposeColour(
                                                 share[2] * seen[2][view].values[i]);
     }
   }
-  const double gain = Gain(grey, sensor);
+  const double gain = ElectronsOfRadiance(grey, sensor);
   std::array<std::array<DeepImage, 3>, 2> out;
   for (int view = 0; view < 2; ++view) {
     for (int channel = 0; channel < 3; ++channel) {

@@ -39,6 +39,13 @@ struct WindowOptions {
 /// A dead camera gives a picture without light, or none.
 enum class EyeState { kAlive, kDark, kSilent };
 
+/// What an image undergoes as analogue video up to a frame grabber; none by default.
+struct VideoOptions {
+  double noise_share = 0.0;     // added to the signal, 1 sigma, of full scale
+  double line_jitter_px = 0.0;  // of each line's start along the row, 1 sigma
+  bool interlaced = false;      // for ExposeVideo: odd lines are exposed a field after even ones
+};
+
 /// The sensor behind the lens. Equations and sources: docs/reference/images.md.
 struct SensorOptions {
   double full_well_e = 20000.0;
@@ -48,6 +55,7 @@ struct SensorOptions {
   double vignetting_exponent = 0.0;
   double blur_sigma_px = 0.0;  // Gaussian, lens and pixel together
   Focus focus{};
+  VideoOptions video{};
   // Automatic exposure: the radiance that this share of pixels exceeds is put at target_level.
   double exposure_percent = 5.0;  // MSL navcam practice: 5 % of pixels above the cut
   double target_level = 0.49;     // 2000 of 4095

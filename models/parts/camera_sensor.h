@@ -18,6 +18,18 @@ struct FocusModel {
   double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
 };
 
+/// How a video camera exposes its lines. Interlaced: all even lines, then all odd ones.
+enum class VideoFields { kProgressive, kInterlaced };
+/// A field of 525-line video lasts 1/60 s (EIA RS-170, monochrome).
+inline constexpr double kFieldPeriod_s = 1.0 / 60.0;
+
+/// What an image undergoes as analogue video from the sensor to a frame grabber. None by default.
+struct VideoModel {
+  double noise_share = 0.0;     // added to the signal, 1 sigma, of full scale
+  double line_jitter_px = 0.0;  // of each line's start along the row, 1 sigma
+  VideoFields fields = VideoFields::kProgressive;
+};
+
 struct SensorModel {
   double full_well_e = 0.0, read_noise_e = 0.0;
   double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis
@@ -27,6 +39,7 @@ struct SensorModel {
   int bits = 8;                      // of a pixel; the controller gets the upper eight
   ExposureModel exposure;
   FocusModel focus;
+  VideoModel video{};
 };
 
 /// 1 sigma each.

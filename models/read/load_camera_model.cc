@@ -21,7 +21,8 @@ SensorModel CheapSensor() {
           .response_sigma = 0.01,      // assumed, 0.005-0.02
           .shutter_s = 0.005,          // indoors, f/2; assumed, 0.001-0.02
           .exposure = {},
-          .focus = {}};
+          .focus = {},
+          .video = {}};
 }
 
 /// Against a calibration of the camera itself, and a mount that is measured. Assumed, each a third
@@ -110,7 +111,7 @@ void VisitCamera(Keys& keys, CameraFile& file) {
     VisitLensErrors(in, camera.errors.lens, Presence::kDefault);
   });
   keys.Mapping(Unset("sensor"), [&](Keys& in) {
-    for (const char* of_grey : {"response_sigma", "bits", "focus"}) {
+    for (const char* of_grey : {"response_sigma", "bits", "focus", "video"}) {
       in.Allow(of_grey, !camera.colour, "no such key of a colour camera");
     }
     VisitSensor(in, camera.sensor, Presence::kDefault);

@@ -31,6 +31,17 @@ void VisitFocus(Keys& keys, FocusModel& focus) {
              "a number above focal_length_m");
 }
 
+void VisitVideo(Keys& keys, double shutter_s, VideoModel& video) {
+  keys.Number({"noise_share", "", "added to the signal: 1 sigma as a share of full scale"},
+              video.noise_share, NonNegative(0.2));
+  keys.Number({"line_jitter_px", "px", "of where each line begins along the row, 1 sigma"},
+              video.line_jitter_px, NonNegative(5.0));
+  keys.Choice({"fields", "", "all lines at once, or odd lines 1/60 s after even ones"},
+              video.fields, {"progressive", "interlaced"});
+  keys.Check("fields", video.fields == VideoFields::kProgressive || shutter_s <= kFieldPeriod_s,
+             "a shutter_s up to 1/60 next to interlaced");
+}
+
 }  // namespace
 
 void VisitLensErrors(Keys& keys, LensErrors& errors, Presence needed) {
@@ -58,6 +69,7 @@ void VisitSensor(Keys& keys, SensorModel& sensor, Presence needed) {
   keys.Integer({"bits", "", "of a pixel; a controller gets the upper eight"}, sensor.bits, 8, 16);
   keys.Mapping(Unset("exposure"), [&](Keys& in) { VisitExposure(in, sensor.exposure); });
   keys.Mapping(Unset("focus"), [&](Keys& in) { VisitFocus(in, sensor.focus); });
+  keys.Mapping(Unset("video"), [&](Keys& in) { VisitVideo(in, sensor.shutter_s, sensor.video); });
 }
 
 }  // namespace dockyard

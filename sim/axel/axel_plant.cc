@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "controller/base/check.h"
-#include "render/shutter.h"
+#include "render/video_fields.h"
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/exposure.h"
 #include "sim/plant/built_cameras.h"
@@ -70,14 +70,20 @@ StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
   StereoRenderer& renderer = renderer_->Get();
   const double shutter_s = built_.world.rover.stereo.sensor.shutter_s;
   const StereoRig& rig = built_.built_rig;
-  const auto view = [&](double share, bool with_depth) {
-    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * shutter_s);
+  const auto view = [&](double seconds, bool with_depth) {
+    const Truth then = seconds == 0.0 ? truth_ : MovedOn(truth_, seconds);
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), rig, then.X_WR,
                                    with_depth || sensor.focus.distance_m > 0.0);
   };
   const ExposureMotion motion =
       MotionOverExposure(truth_.X_WR.R, truth_.v_WR_W, truth_.w_WR_W, shutter_s);
-  return ExposeStereo(OverExposure(BoardMotion_px(truth_, built_), rig, motion, view), rig, sensor);
+  const double motion_px = BoardMotion_px(truth_, built_, shutter_s);
+  const auto light = [&](double middle_s) {
+    return OverExposure(motion_px, rig, motion, [&](double share, bool depth) {
+      return view(middle_s + share * shutter_s, depth);
+    });
+  };
+  return ExposeVideo(light, BoardMotion_px(truth_, built_, kFieldApart_s), rig, sensor);
 }
 
 void AxelPlant::Advance(const Commands& commands) {

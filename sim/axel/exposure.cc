@@ -29,7 +29,7 @@ Truth MovedOn(const Truth& truth, double seconds) {
   return moved;
 }
 
-double BoardMotion_px(const Truth& truth, const BuiltRun& built) {
+double BoardMotion_px(const Truth& truth, const BuiltRun& built, double seconds) {
   const StereoRig& rig = built.built_rig;
   const Eigen::Vector3d p_W_board = (truth.X_WS * BoardInStation(built.world.station)).p;
   double most_px = 0.0;
@@ -37,9 +37,8 @@ double BoardMotion_px(const Truth& truth, const BuiltRun& built) {
     const Eigen::Vector3d arm_W = truth.X_WR.R * X_RC.p;
     const Eigen::Vector3d v_W = truth.v_WR_W + truth.w_WR_W.cross(arm_W);
     const double distance_m = std::max(0.3, (p_W_board - truth.X_WR.p - arm_W).norm());
-    most_px =
-        std::max(most_px, MotionInExposure_px(rig.left, truth.w_WR_W.norm(), v_W.norm(), distance_m,
-                                              built.world.rover.stereo.sensor.shutter_s));
+    most_px = std::max(most_px, MotionInExposure_px(rig.left, truth.w_WR_W.norm(), v_W.norm(),
+                                                    distance_m, seconds));
   }
   return most_px;
 }

@@ -10,8 +10,8 @@ namespace dockyard::axel {
 /// velocities, and the tether and the station stay. For some milliseconds.
 Truth MovedOn(const Truth& truth, double seconds);
 
-/// Way of the board in the images during one exposure, at most [px]. Nearer than 0.3 m it counts as
-/// at 0.3 m.
-double BoardMotion_px(const Truth& truth, const BuiltRun& built);
+/// Way of the board in the images in some seconds, as of an exposure, at most [px]. Nearer than
+/// 0.3 m it counts as at 0.3 m.
+double BoardMotion_px(const Truth& truth, const BuiltRun& built, double seconds);
 
 }  // namespace dockyard::axel

@@ -6,6 +6,7 @@
 #include "controller/base/split_mix.h"
 #include "models/read/config_error.h"
 #include "render/fisheye_warp.h"
+#include "render/video_fields.h"
 #include "sim/base/random.h"
 
 namespace dockyard {
@@ -28,6 +29,8 @@ Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {
   return X_RC;
 }
 
+static_assert(kFieldPeriod_s == kFieldApart_s);
+
 SensorOptions SensorOf(const SensorModel& model, int index, std::uint64_t noise_stream,
                        std::uint64_t pattern_stream) {
   const ExposureModel& exposure = model.exposure;
@@ -43,6 +46,9 @@ SensorOptions SensorOf(const SensorModel& model, int index, std::uint64_t noise_
                     .f_number = model.focus.f_number,
                     .distance_m = model.focus.distance_m,
                     .pixel_pitch_m = model.focus.pixel_pitch_m},
+          .video = {.noise_share = model.video.noise_share,
+                    .line_jitter_px = model.video.line_jitter_px,
+                    .interlaced = model.video.fields == VideoFields::kInterlaced},
           .exposure_percent = exposure.percent,
           .target_level = exposure.level,
           .fixed_exposure_e = exposure.fixed_e,

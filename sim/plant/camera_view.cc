@@ -2,7 +2,7 @@
 
 #include "controller/base/check.h"
 #include "controller/base/split_mix.h"
-#include "render/shutter.h"
+#include "render/video_fields.h"
 
 namespace dockyard {
 
@@ -19,9 +19,10 @@ SimulatedCamera::SimulatedCamera(const CameraModel& model, const Seed& run_seed,
       stream_("camera " + model.name),
       built_(BuiltCamera(model, run_seed, stream_)) {}
 
-double SimulatedCamera::MotionIn_px(const CameraMotion& motion, double nearest_m) const {
+double SimulatedCamera::MotionIn_px(const CameraMotion& motion, double nearest_m,
+                                    double seconds) const {
   return MotionInExposure_px(built_.camera, motion.w_WC_W.norm(), motion.v_WC_W.norm(), nearest_m,
-                             model_.sensor.shutter_s);
+                             seconds);
 }
 
 CameraImage SimulatedCamera::Take(StereoRenderer& renderer, const SceneAt& scene,
@@ -45,26 +46,31 @@ GrayImage SimulatedCamera::TakeGrey(StereoRenderer& renderer, const SceneAt& sce
   sensor.exposure_stops += conditions.exposure_stops;
   if (conditions.faults) conditions.faults(sensor);
   const double shutter_s = model_.sensor.shutter_s;
-  const auto view = [&](double share, bool with_depth) {
-    const double seconds = share * shutter_s;
+  const auto view = [&](double seconds, bool with_depth) {
     return renderer.RenderGrey(scene(seconds), built_.camera,
                                MovedOn(motion.X_WC, motion.v_WC_W, motion.w_WC_W, seconds),
                                with_depth || sensor.focus.distance_m > 0.0);
   };
   const ExposureMotion moved =
       MotionOverExposure(motion.X_WC.R, motion.v_WC_W, motion.w_WC_W, shutter_s);
-  return ExposeGrey(
-      OverExposure(MotionIn_px(motion, conditions.nearest_m), built_.camera, moved, view),
-      built_.camera, sensor, kept_);
+  const double nearest_m = conditions.nearest_m;
+  const auto light = [&](double middle_s) {
+    return OverExposure(
+        MotionIn_px(motion, nearest_m, shutter_s), built_.camera, moved,
+        [&](double share, bool depth) { return view(middle_s + share * shutter_s, depth); });
+  };
+  return ExposeVideo(OneAt(light), MotionIn_px(motion, nearest_m, kFieldApart_s), built_.camera,
+                     sensor, kept_);
 }
 
 RgbImage SimulatedCamera::TakeColour(StereoRenderer& renderer, const Scene& scene,
                                      const ColourTable& colours, const CameraMotion& motion,
                                      Tick now, const Conditions& conditions) {
   const ColourSensorOptions sensor = ColourSensorOf(model_);
-  const std::vector<Pose3> poses = PosesInExposure(
-      motion.X_WC, motion.v_WC_W, motion.w_WC_W, model_.sensor.shutter_s,
-      MotionIn_px(motion, conditions.nearest_m), StepsUnderBlur(sensor.blur_sigma_px));
+  const std::vector<Pose3> poses =
+      PosesInExposure(motion.X_WC, motion.v_WC_W, motion.w_WC_W, model_.sensor.shutter_s,
+                      MotionIn_px(motion, conditions.nearest_m, model_.sensor.shutter_s),
+                      StepsUnderBlur(sensor.blur_sigma_px));
   const ColourView view{.camera = built_.camera,
                         .hole = {},
                         .vignetting_exponent = model_.sensor.vignetting_exponent};

@@ -52,7 +52,7 @@ class SimulatedCamera {
                      const Conditions& conditions);
   RgbImage TakeColour(StereoRenderer& renderer, const Scene& scene, const ColourTable& colours,
                       const CameraMotion& motion, Tick now, const Conditions& conditions);
-  double MotionIn_px(const CameraMotion& motion, double nearest_m) const;
+  double MotionIn_px(const CameraMotion& motion, double nearest_m, double seconds) const;
 
   CameraModel model_;
   Seed seed_;

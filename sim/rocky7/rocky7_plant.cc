@@ -3,7 +3,7 @@
 #include <map>
 
 #include "controller/base/check.h"
-#include "render/shutter.h"
+#include "render/video_fields.h"
 #include "sim/plant/built_cameras.h"
 #include "sim/rocky7/user_click.h"
 
@@ -87,20 +87,26 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
   SensorOptions sensor = CameraSensor(pair.model, seed_, pairs_taken_++);
   sensor.exposure_stops += exposure_stops;
   StereoRenderer& renderer = renderer_->Get();
-  const auto view = [&](double share, bool with_depth) {
-    const double seconds = share * pair.model.sensor.shutter_s;
-    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, seconds);
+  const double shutter_s = pair.model.sensor.shutter_s;
+  const auto view = [&](double seconds, bool with_depth) {
+    const Truth then = seconds == 0.0 ? truth_ : MovedOn(truth_, seconds);
     const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
                                    with_depth || sensor.focus.distance_m > 0.0);
   };
   const Pose3 X_WB = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
   const ExposureMotion motion =
-      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, pair.model.sensor.shutter_s);
-  const double motion_px =
-      MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
-                          kNearest_m, pair.model.sensor.shutter_s);
-  return ExposeStereo(OverExposure(motion_px, pair.built, motion, view), pair.built, sensor);
+      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, shutter_s);
+  const auto motion_px = [&](double over_s) {
+    return MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
+                               kNearest_m, over_s);
+  };
+  const auto light = [&](double middle_s) {
+    return OverExposure(motion_px(shutter_s), pair.built, motion, [&](double share, bool depth) {
+      return view(middle_s + share * shutter_s, depth);
+    });
+  };
+  return ExposeVideo(light, motion_px(kFieldApart_s), pair.built, sensor);
 }
 
 void Rocky7Plant::Advance(const Commands& commands) {

@@ -96,6 +96,20 @@ TEST(CameraModel, HasASensorOfItsOwnUnlessTheFileStatesOne) {
   EXPECT_EQ(stated.latency_s, 0.03);
 }
 
+TEST(CameraModel, HasNoFrameGrabberUnlessTheFileStatesOne) {
+  const VideoModel none = ModelOf(kPinhole).sensor.video;
+  EXPECT_EQ(none.noise_share, 0.0);
+  EXPECT_EQ(none.line_jitter_px, 0.0);
+  EXPECT_EQ(none.fields, VideoFields::kProgressive);
+  const VideoModel video = ModelOf(kPinhole +
+                                   ", sensor: {video: {noise_share: 0.007, line_jitter_px: 0.2, "
+                                   "fields: interlaced}}")
+                               .sensor.video;
+  EXPECT_EQ(video.noise_share, 0.007);
+  EXPECT_EQ(video.line_jitter_px, 0.2);
+  EXPECT_EQ(video.fields, VideoFields::kInterlaced);
+}
+
 TEST(CameraModel, BadKeysAreRefusedWithTheirPlace) {
   const ScratchFolder folder;
   const std::string pair = SourceFile("models/cameras/axel_640.yaml");
@@ -114,6 +128,13 @@ TEST(CameraModel, BadKeysAreRefusedWithTheirPlace) {
       {kPinhole + ", colour: true, sensor: {blur_sigma_px: 2}", "at most 1.5"},
       {kPinhole + ", sensor: {exposure: {rule: fixed}}", "missing key 'fixed_e'"},
       {kPinhole + ", sensor: {gain: 2}", "gain"},
+      {kPinhole + ", colour: true, sensor: {video: {noise_share: 0.01}}",
+       "no such key of a colour camera"},
+      {kPinhole + ", sensor: {video: {noise_share: 0.3}}", ">= 0 and <= 0.2"},
+      {kPinhole + ", sensor: {video: {line_jitter_px: 6}}", ">= 0 and <= 5"},
+      {kPinhole + ", sensor: {video: {fields: odd}}", "expected one of progressive, interlaced"},
+      {kPinhole + ", sensor: {shutter_s: 0.02, video: {fields: interlaced}}",
+       "a shutter_s up to 1/60"},
   };
   for (const auto& each : cases) {
     EXPECT_THAT(MessageOf([&] { ModelOf(each.keys); }, folder), HasSubstr(each.message))

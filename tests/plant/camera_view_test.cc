@@ -7,6 +7,7 @@
 
 #include "plant/dock_room.h"
 #include "render/measure.h"
+#include "render/shutter.h"
 
 namespace dockyard {
 namespace {
@@ -144,6 +145,42 @@ TEST(SimulatedCamera, FaultsChangeTheSensor) {
   const auto open = [](SensorOptions& sensor) { sensor.fixed_exposure_e = 5000.0; };
   EXPECT_GT(clean, 0.0);
   EXPECT_NEAR(mean({.faults = half}) / mean({.faults = open}), 0.5, 0.15);
+}
+
+TEST(SimulatedCamera, LinesOfInterlacedVideoAreThoseOfItsPosesAHalfFieldBeforeAndAfter) {
+  Shot shot;
+  CameraMotion motion{shot.room.CameraAt(0.6)};
+  motion.v_WC_W = {0.0, 0.3, 0.0};
+  motion.w_WC_W = {0.0, 0.0, 0.5};  // 1 px from field to field
+  CameraModel model = SmallCamera();
+  model.sensor.shutter_s = 0.0;
+  model.sensor.blur_sigma_px = 0.0;
+  model.sensor.exposure = {.rule = ExposureRule::kFixed, .fixed_e = 4000.0};
+  const auto at = [&](double seconds) {
+    SimulatedCamera whole(model, 7, 0);
+    const Pose3 X_WC = MovedOn(motion.X_WC, motion.v_WC_W, motion.w_WC_W, seconds);
+    return GreyOf(shot.Take(whole, {X_WC}));
+  };
+  const GrayImage before = at(-1.0 / 120.0), after = at(1.0 / 120.0);
+  model.sensor.video.fields = VideoFields::kInterlaced;
+  SimulatedCamera video(model, 7, 0);
+  const GrayImage image = GreyOf(shot.Take(video, motion));
+  EXPECT_NE(before, after);
+  for (int y = 0; y < image.height; ++y) {
+    const GrayImage& whole = y % 2 == 0 ? before : after;
+    for (int x = 0; x < image.width; ++x)
+      ASSERT_EQ(image.at(x, y), whole.at(x, y)) << x << " " << y;
+  }
+}
+
+TEST(SimulatedCamera, OfACameraAtRestInterlacedVideoIsTheWholeImage) {
+  Shot shot;
+  const CameraMotion motion{shot.room.CameraAt(0.6)};
+  CameraModel model = SmallCamera();
+  SimulatedCamera whole(model, 7, 0);
+  model.sensor.video.fields = VideoFields::kInterlaced;
+  SimulatedCamera video(model, 7, 0);
+  EXPECT_EQ(GreyOf(shot.Take(video, motion)), GreyOf(shot.Take(whole, motion)));
 }
 
 }  // namespace

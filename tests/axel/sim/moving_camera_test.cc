@@ -5,6 +5,7 @@
 #include "sim/axel/axel_plant.h"
 #include "sim/axel/exposure.h"
 #include "sim/axel/load_models.h"
+#include "support/line_shift.h"
 
 namespace dockyard::axel {
 namespace {
@@ -85,9 +86,29 @@ TEST(MovingCamera, DrivingItSeesLessSharplyTheLongerTheShutterIsOpen) {
   const auto fast = Plant({"changes.robot.cameras.sensor.shutter_s=0"});
   const auto slow = Plant({"changes.robot.cameras.sensor.shutter_s=0.02"});
   for (AxelPlant* plant : {fast.get(), slow.get()}) Hold(*plant, Rolling(0.1, 0.3), 3.0);
-  EXPECT_EQ(BoardMotion_px(fast->truth(), fast->built()), 0.0);
-  EXPECT_GT(BoardMotion_px(slow->truth(), slow->built()), 0.25);
+  EXPECT_EQ(BoardMotion_px(fast->truth(), fast->built(), 0.0), 0.0);
+  EXPECT_GT(BoardMotion_px(slow->truth(), slow->built(), 0.02), 0.25);
   EXPECT_NE(PairOf(*fast).left.pixels, PairOf(*slow).left.pixels);
+}
+
+TEST(MovingCamera, InterlacedItsEvenLinesAreAFieldBeforeItsOddOnesAndStandingAllAreOfNow) {
+  std::vector<std::string> keys{"changes.robot.cameras.sensor.shutter_s=0",
+                                "changes.robot.cameras.sensor.full_well_e=1e6",
+                                "changes.robot.cameras.sensor.exposure.rule=fixed",
+                                "changes.robot.cameras.sensor.exposure.fixed_e=9e5"};
+  const auto whole = Plant(keys);
+  keys.emplace_back("changes.robot.cameras.sensor.video.fields=interlaced");
+  const auto video = Plant(keys);
+  for (AxelPlant* plant : {whole.get(), video.get()}) Hold(*plant, BrakedCommands(), 1.0);
+  EXPECT_EQ(PairOf(*video), PairOf(*whole));
+  for (AxelPlant* plant : {whole.get(), video.get()}) Hold(*plant, Rolling(-0.3, 0.3), 3.0);
+  // Of an equidistant lens that turns to the left: things go right by focal length times turn.
+  const double turning_rad_s = video->truth().w_WR_W.z();
+  const double field_px = video->built().built_rig.left.focal_px().x() * turning_rad_s / 60.0;
+  ASSERT_GT(field_px, 0.2);
+  const GrayImage now = PairOf(*whole).left, lines = PairOf(*video).left;
+  EXPECT_NEAR(ShiftOfLines_px(lines, now, 0), -0.5 * field_px, 0.1 * field_px);
+  EXPECT_NEAR(ShiftOfLines_px(lines, now, 1), 0.5 * field_px, 0.1 * field_px);
 }
 
 }  // namespace
