@@ -10,12 +10,16 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "controller/geometry/pose.h"
 #include "models/parts/joint_stop.h"
 #include "models/parts/motor.h"
 
 namespace dockyard {
+
+/// Whether plates close a scoop's ends along its axis.
+enum class ScoopSides : std::uint8_t { kClosed, kOpen };
 
 /// One of two alike, each the other's mirror image. A trough of flat plates; parts/scoop_shape.h.
 struct ScoopModel {
@@ -25,6 +29,7 @@ struct ScoopModel {
   double wall_m = 0.0;     // thickness of the plates
   double opening_m = 0.0;  // between the lips, at most
   double mass_kg = 0.0;
+  ScoopSides sides = ScoopSides::kClosed;
   JointStop stop;  // of a scoop's joint, and of the lips on each other
 };
 

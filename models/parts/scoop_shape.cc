@@ -65,9 +65,11 @@ std::vector<TriangleMesh> ScoopPlates(const ScoopModel& scoop, bool front) {
     if (i == 2) a_in += (0.0 - a_in.x()) / (b - a).x() * (b - a);
     plates.push_back(Prism({a, a_in, b + in, b}, -half_m, half_m));
   }
-  const std::vector<Vector2d> side{outer[3], outer[0], outer[1], outer[2]};
-  plates.push_back(Prism(side, -half_m, -half_m + scoop.wall_m));
-  plates.push_back(Prism(side, half_m - scoop.wall_m, half_m));
+  if (scoop.sides == ScoopSides::kClosed) {
+    const std::vector<Vector2d> side{outer[3], outer[0], outer[1], outer[2]};
+    plates.push_back(Prism(side, -half_m, -half_m + scoop.wall_m));
+    plates.push_back(Prism(side, half_m - scoop.wall_m, half_m));
+  }
   if (!front) {
     for (TriangleMesh& plate : plates) Mirror(plate);
   }

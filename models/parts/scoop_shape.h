@@ -13,8 +13,9 @@ namespace dockyard {
 /// the scoop is at x >= 0 and its mouth at x = 0 [m].
 std::array<Eigen::Vector2d, 4> ScoopProfile(const ScoopModel& scoop);
 
-/// The plates of a scoop in its link: floor with the lip first, then back, top, right and left
-/// wall. Each is convex and closed. The back scoop is the front one with x reversed.
+/// The plates of a scoop in its link: floor with the lip first, then back and top; right and left
+/// wall where its sides are closed. Each is convex and closed. The back scoop is the front one with
+/// x reversed.
 std::vector<TriangleMesh> ScoopPlates(const ScoopModel& scoop, bool front);
 
 /// The arm's bar in its link, from shoulder to just beyond the scoops' axis; convex.

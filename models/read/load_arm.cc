@@ -15,6 +15,7 @@ void VisitScoop(Keys& keys, ScoopModel& scoop) {
   keys.Number("wall_m", scoop.wall_m, Positive(0.1));
   keys.Number("opening_m", scoop.opening_m, Positive(2.0));
   keys.Number("mass_kg", scoop.mass_kg, Positive(100.0));
+  keys.Choice(Optional("sides"), scoop.sides, {"closed", "open"});
   keys.Mapping("stop", [&](Keys& in) { VisitStop(in, scoop.stop); });
   keys.Check("opening_m", scoop.opening_m < 2.0 * scoop.depth_m, "less than twice depth_m");
   keys.Check("wall_m",

@@ -77,7 +77,8 @@ void LimitArm(const ArmModel& arm, const BodyLink& first, RigidWorld& world) {
 ArmBody::ArmBody(const ArmModel& arm, int first, const std::vector<SoilModel>& soils)
     : model_(arm),
       first_(first),
-      soils_{ScoopSoil(arm.scoop, false, soils), ScoopSoil(arm.scoop, true, soils)} {}
+      soils_{ScoopSoil(arm.scoop, false, soils), ScoopSoil(arm.scoop, true, soils)},
+      carried_(arm.scoop, soils) {}
 
 void ArmBody::Stow(TreeBody& tree) const {
   tree.SetAngle(link(kArmPitch), model_.stowed_pitch_rad);
@@ -93,10 +94,18 @@ void ArmBody::AddSoilLoads(TreeBody& tree, HeightGrid& ground, double step_s) {
     tree.AddForce(i, load.force_G, motion.X_GL.p);
     tree.AddTorque(i, load.torque_G);
   }
+  const int front = link(kFrontScoop), back = link(kBackScoop);
+  const auto loads = carried_.Step(ground, {&tree.motion(front), &tree.motion(back)},
+                                   tree.angle_rad(back) - tree.angle_rad(front));
+  for (const std::size_t side : {0u, 1u}) {
+    const int i = side == 0 ? front : back;
+    tree.AddForce(i, loads[side].force_G, tree.motion(i).X_GL.p);
+    tree.AddTorque(i, loads[side].torque_G);
+  }
 }
 
 std::uint64_t ArmBody::StateHash(std::uint64_t seed) const {
-  return soils_[1].StateHash(soils_[0].StateHash(seed));
+  return carried_.StateHash(soils_[1].StateHash(soils_[0].StateHash(seed)));
 }
 
 }  // namespace dockyard

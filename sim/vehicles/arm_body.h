@@ -8,6 +8,7 @@
 #include "models/parts/arm_model.h"
 #include "models/parts/soil_model.h"
 #include "sim/rigid/rigid_world.h"
+#include "sim/vehicles/carried_soil.h"
 #include "sim/vehicles/scoop_soil.h"
 
 namespace dockyard {
@@ -32,12 +33,14 @@ class ArmBody {
 
   int link(int motor) const { return first_ + motor; }
   const ArmModel& model() const { return model_; }
+  const CarriedSoil& carried() const { return carried_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
   ArmModel model_;
   int first_ = 0;
   std::array<ScoopSoil, 2> soils_;  // back, front
+  CarriedSoil carried_;
 };
 
 }  // namespace dockyard

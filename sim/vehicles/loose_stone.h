@@ -16,9 +16,15 @@ inline constexpr double kStoneDensity_kg_m3 = 2700.0;
 /// radius, scaled to this length along x. Centred on its centre of mass. Same key, same shape.
 ConvexBody LooseStoneShape(double length_m, std::uint64_t key);
 
-/// The pose in which a shape stands on level ground at this height, its lowest corner on it.
-Pose3 StandingAt(const ConvexBody& shape, const Eigen::Vector2d& p_G, double turn_rad,
-                 double ground_m);
+/// The attitude in which a shape comes to rest on level ground: it is put down in one that is even
+/// over all attitudes, and rolls over edges until its centre of mass, its origin, is over the face
+/// that it lies on. Same key, same attitude.
+Eigen::Matrix3d RestingTurn(const ConvexBody& shape, std::uint64_t key);
+
+/// The pose of a shape in this attitude on level ground at this height: its lowest corner is on it,
+/// or below it by a share of the shape's height.
+Pose3 StandingAt(const ConvexBody& shape, const Eigen::Matrix3d& R_GS, const Eigen::Vector2d& p_G,
+                 double ground_m, double buried = 0.0);
 
 /// Frame S: the centre of mass of the stone, axes of its shape.
 struct LooseStone {
@@ -29,6 +35,8 @@ struct LooseStone {
 
 /// Moves the shape so that its centre of mass is S.
 LooseStone MakeLooseStone(const ConvexBody& shape, double density_kg_m3, const Pose3& X_GS);
+/// A stone that lies where this body is.
+LooseStone MakeLooseStone(const ConvexBody& body_G, double density_kg_m3);
 
 TreeBody BodyOf(const LooseStone& stone);
 

@@ -60,6 +60,16 @@ int LooseStones::Add(const LooseStone& stone) {
   return count() - 1;
 }
 
+void LooseStones::Bed(int stone, const HeightGrid& ground) {
+  Kept& kept = stones_.at(Place(stone));
+  const Pose3& X_GL = motion(stone).X_GL;
+  for (std::size_t i = 0; i < kept.shape_S.vertices.size(); ++i) {
+    const Vector3d p_G = X_GL * kept.shape_S.vertices[i];
+    const double below_m = BearingHeight(ground, p_G.x(), p_G.y()) - p_G.z();
+    kept.sunk_m[i] = std::max(0.0, below_m * ground.Normal(p_G.x(), p_G.y()).z());
+  }
+}
+
 void LooseStones::AddForce(int stone, const Vector3d& force_G) {
   Kept& kept = stones_.at(Place(stone));
   world_.SetAsleep(kept.body, false);

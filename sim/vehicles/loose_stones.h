@@ -23,6 +23,8 @@ class LooseStones {
 
   /// Its number. A stone starts awake, at rest.
   int Add(const LooseStone& stone);
+  /// The soil under a stone is pressed in as deep as its corners are in this ground now.
+  void Bed(int stone, const HeightGrid& ground);
   int count() const { return static_cast<int>(stones_.size()); }
   int body(int i) const { return stones_[Place(i)].body; }  // in the world
   const ConvexBody& shape_S(int i) const { return stones_[Place(i)].shape_S; }

@@ -27,6 +27,12 @@ void Slide(double& a, double& b, double steepest_m) {
 
 }  // namespace
 
+void AddSoil(HeightGrid& grid, const Eigen::Vector2d& at, double volume_m3) {
+  if (grid.undisturbed_m.empty()) grid.undisturbed_m = grid.heights_m;
+  AddVolume(grid, at, volume_m3);
+  ++grid.revision;
+}
+
 void MoveSoil(HeightGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
               double volume_m3) {
   if (grid.undisturbed_m.empty()) grid.undisturbed_m = grid.heights_m;

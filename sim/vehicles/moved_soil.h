@@ -7,6 +7,10 @@
 
 namespace dockyard {
 
+/// To about a place of the plan, or away from it where the volume is negative. Takes the heights as
+/// undisturbed if nothing was there before.
+void AddSoil(HeightGrid& grid, const Eigen::Vector2d& at, double volume_m3);
+
 /// From about one place of the plan to about another. Takes the heights as undisturbed if nothing
 /// was there before.
 void MoveSoil(HeightGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to,

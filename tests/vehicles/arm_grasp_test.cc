@@ -75,7 +75,7 @@ TEST(ArmGrasp, LeavesARockOfTwelveCentimetresWhereItIs) {
 }
 
 // Sideways only friction holds: at 0.6 a pull of 2 N moves the stone by what the contacts give, at
-// 0.1 it slides to the scoops' wall.
+// 0.1 it slides out at the open side.
 TEST(ArmGrasp, LosesHoldOfASlipperyStoneThatIsPulledByTwoNewtons) {
   for (const double friction : {0.6, 0.1}) {
     Standing rig("compact_gravel", 0.05, 1, friction);
@@ -90,7 +90,7 @@ TEST(ArmGrasp, LosesHoldOfASlipperyStoneThatIsPulledByTwoNewtons) {
     if (friction > 0.5) {
       EXPECT_LT(moved_m, 0.2e-3);
     } else {
-      EXPECT_GT(moved_m, 2e-3);
+      EXPECT_GT(moved_m, 0.02);
     }
   }
 }

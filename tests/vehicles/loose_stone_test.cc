@@ -36,7 +36,9 @@ TEST(SolidMass, OfTwoHalvesIsThatOfTheWhole) {
 // Plates face outwards and are solid: their volume is that of sheet of this thickness, less the
 // corners that bend inwards and the lip that is cut off.
 TEST(ScoopPlates, AreClosedAndMirrorEachOther) {
-  const ScoopModel scoop = RoverRig::Model("rocky7").arm->scoop;
+  ScoopModel scoop = RoverRig::Model("rocky7").arm->scoop;
+  EXPECT_EQ(ScoopPlates(scoop, true).size(), 3u);  // Rocky 7's sides are open
+  scoop.sides = ScoopSides::kClosed;
   const auto front = ScoopPlates(scoop, true), back = ScoopPlates(scoop, false);
   ASSERT_EQ(front.size(), 5u);
   const auto profile = ScoopProfile(scoop);
@@ -171,6 +173,44 @@ TEST(LooseStones, StoneAtRestCreepsLessThanHalfAMillimetreInTenSecondsThoughItMa
     const Vector3d from = ground.stones.motion(0).X_GL.p;
     ground.Run(10.0, true);
     EXPECT_LT((ground.stones.motion(0).X_GL.p - from).norm(), 0.1e-3) << name;
+  }
+}
+
+// Where it was put down so, a stone of any shape neither tips nor rolls, and not all lie on their
+// flattest side.
+TEST(LooseStones, StoneStaysInItsAttitudeOfRest) {
+  int upright = 0;
+  for (std::uint64_t key = 1; key <= 20; ++key) {
+    Ground ground("compact_gravel");
+    const ConvexBody shape = LooseStoneShape(0.04, key);
+    const Eigen::Matrix3d R_GS = RestingTurn(shape, key);
+    ground.Add(MakeLooseStone(shape, kStoneDensity_kg_m3, StandingAt(shape, R_GS, {0, 0}, 0.0)));
+    ground.Run(3.0, true);
+    const Eigen::Matrix3d turned = ground.stones.motion(0).X_GL.R * R_GS.transpose();
+    EXPECT_LT(std::acos(std::clamp(turned(2, 2), -1.0, 1.0)), 0.05) << key;
+    upright += std::abs(R_GS(2, 2)) < std::cos(0.8);  // not on its shortest axis
+    EXPECT_EQ(RestingTurn(shape, key), R_GS);
+  }
+  EXPECT_GE(upright, 2);
+  EXPECT_LE(upright, 12);
+}
+
+// The soil under a stone that lay there bears it; as the soil of new sinkage it would lift it out.
+TEST(LooseStones, BuriedStoneStaysWhereItLies) {
+  for (const char* name : {"loose_sand", "compact_gravel"}) {
+    double rose_m[2] = {};
+    for (const int bedded : {0, 1}) {
+      Ground ground(name);
+      const ConvexBody shape = LooseStoneShape(0.04, 2);
+      ground.Add(MakeLooseStone(shape, kStoneDensity_kg_m3,
+                                StandingAt(shape, Eigen::Matrix3d::Identity(), {0, 0}, 0.0, 0.3)));
+      if (bedded == 1) ground.stones.Bed(0, ground.grid);
+      const double from_m = ground.stones.motion(0).X_GL.p.z();
+      ground.Run(2.0, true);
+      rose_m[bedded] = ground.stones.motion(0).X_GL.p.z() - from_m;
+    }
+    EXPECT_LT(std::abs(rose_m[1]), 0.3e-3) << name;
+    EXPECT_GT(rose_m[0], 2.0 * std::abs(rose_m[1])) << name;
   }
 }
 

@@ -31,7 +31,7 @@ inline SoilModel SoilNamed(const std::string& name) {
 /// Puts a stone's lowest corner on level ground.
 inline LooseStone OnGround(const ConvexBody& shape, double x_m, double y_m, double turn_rad,
                            double density_kg_m3 = kStoneDensity_kg_m3) {
-  return MakeLooseStone(shape, density_kg_m3, StandingAt(shape, {x_m, y_m}, turn_rad, 0.0));
+  return MakeLooseStone(shape, density_kg_m3, StandingAt(shape, RotZ(turn_rad), {x_m, y_m}, 0.0));
 }
 
 /// A rover with an arm and stones before it.
