@@ -12,6 +12,7 @@
 #include "sim/plant/scenery.h"
 #include "sim/plant/yard.h"
 #include "sim/rigid/rocks.h"
+#include "sim/rocky7/gravel.h"
 #include "sim/scenario/rock_keys.h"
 #include "sim/vehicles/boulder.h"
 #include "sim/vehicles/rounded_rock.h"
@@ -77,30 +78,44 @@ bool IsInTheWay(const Rock& rock, const Rocky7Keys& keys, const Pose2& X_DR) {
   return (Inverse(X_DR) * rock.p_D - kMiddle_R).norm() < kRoverRadius_m + half_m;
 }
 
-std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
-                               const Pose2& X_DR_start, const HeightGrid& ground) {
-  std::vector<ConvexBody> stones;
+/// Those that wheels and scoops move are loose, but the target of a drive is not.
+void AddStones(const Scenario& scenario, const Rocky7Keys& keys, BuiltRun& run) {
+  WorldSetup& world = run.world;
   const auto lift = [&](double x_m, double y_m) {
-    return Pose3::Translation(0.0, 0.0, ground.Height(x_m, y_m));
+    return Pose3::Translation(0.0, 0.0, world.ground.Height(x_m, y_m));
   };
-  if (keys.task == Task::kReach)
-    stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
-  if (!HasRocks(scenario.rocks)) return stones;
+  if (keys.task == Task::kReach) {
+    world.stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
+  }
+  if (!HasRocks(scenario.rocks)) return;
   const YardModel& yard = scenario.yard;
   const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
                         0.5 * yard.width_m};
   try {
     for (const Rock& rock :
          PlaceRocks(scenario.rocks, area, {{0.0, 0.0}}, StreamKey(scenario.seed, "rocks"))) {
-      if (IsInTheWay(rock, keys, X_DR_start)) continue;
-      stones.push_back(lift(rock.p_D.x(), rock.p_D.y()) * rock.body);
+      if (IsInTheWay(rock, keys, world.X_GR_start)) continue;
+      const bool loose = rock.size.diameter_m < keys.loose_below_m &&
+                         rock.p_D.norm() < keys.loose_within_m + 0.5 * rock.size.diameter_m;
+      (loose ? world.loose_stones : world.stones)
+          .push_back(lift(rock.p_D.x(), rock.p_D.y()) * rock.body);
     }
+    std::vector<ConvexBody> stones = world.stones;
+    stones.insert(stones.end(), world.loose_stones.begin(), world.loose_stones.end());
+    run.gravel = GravelAbout(keys, scenario.rocks, world.ground, stones, scenario.seed);
   } catch (const std::length_error&) {
     throw ConfigError(scenario.rocks_place + ": expected at most " + std::to_string(kMostRocks) +
                       " rocks in the yard; a lower cover, a larger least_m or a smaller yard has "
                       "fewer");
   }
-  return stones;
+}
+
+// The attitude in which a stone to be grasped lies.
+Eigen::Matrix3d AttitudeOfTarget(const Rocky7Keys& keys, const ConvexBody& shape,
+                                 const Seed& seed) {
+  const Eigen::Matrix3d turn = RotZ(keys.turn_rad);
+  if (keys.lies == TargetLies::kFlat) return turn;
+  return turn * RestingTurn(shape, StreamKey(seed, "attitude"));
 }
 
 }  // namespace
@@ -126,11 +141,12 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   DockingCoords at = scenario.start.on_plane();
   if (!std::isnan(models.keys.off_target_rad)) at.h = at.alpha + models.keys.off_target_rad;
   world.X_GR_start = FromDockingCoords(at);
-  world.stones = Stones(scenario, models.keys, world.X_GR_start, world.ground);
+  AddStones(scenario, models.keys, run);
   if (models.keys.task == Task::kGrasp) {
     world.loose_target =
         LooseStoneShape(models.keys.diameter_m / kMeanOfLength, StreamKey(scenario.seed, "target"));
-    world.target_turn_rad = models.keys.turn_rad;
+    world.R_GT_start = AttitudeOfTarget(models.keys, *world.loose_target, scenario.seed);
+    world.target_buried = models.keys.buried;
   }
   if (models.keys.task == Task::kPlace) {
     world.boulder = BoulderOf(models.keys, StreamKey(scenario.seed, "target"));

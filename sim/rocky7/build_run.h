@@ -12,6 +12,7 @@ struct BuiltRun {
   WorldSetup world;  // G is D: the target's middle on the ground
   Rocky7Keys keys;
   StereoRig front, back, mast_pair;  // as built
+  std::vector<ConvexBody> gravel{};  // in G; for cameras alone
   Lighting lighting;
   Nominal nominal;  // what the controller is told; the click is put in by the plant
 };

@@ -29,6 +29,16 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
               Between(0.0, 0.5));
   keys.Degrees({"turn_deg", "deg", "of the target stone about the vertical"}, values.turn_rad,
                Between(-180.0, 180.0));
+  keys.Choice({"lies", "", "the stone to be grasped: on its flat side, or in any attitude of rest"},
+              values.lies, {"flat", "any"});
+  keys.Number({"loose_below_m", "m", "smaller stones of the field are loose ..."},
+              values.loose_below_m, Between(0.0, 0.3));
+  keys.Number({"loose_within_m", "m", "... this near to the target"}, values.loose_within_m,
+              Between(0.0, 2.0));
+  keys.Number({"gravel_m", "m", "least stones that cameras see as shapes, below rocks.least_m"},
+              values.gravel_m, Between(0.003, 0.02));
+  keys.Number({"gravel_within_m", "m", "the same: this near to the target"}, values.gravel_within_m,
+              Between(0.0, 2.0));
   keys.Degrees(
       {"off_target_deg", "deg",
        "the rover's start heading off the target, in place of start.heading_deg", Presence::kUnset},

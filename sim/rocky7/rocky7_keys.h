@@ -11,6 +11,8 @@ namespace dockyard::rocky7 {
 
 /// Of a boulder: a block with flat faces, or a rock with rounded edges.
 enum class BoulderKind { kFaced, kRounded };
+/// How a stone to be grasped lies: on its flat side, or in the attitude in which it came to rest.
+enum class TargetLies { kFlat, kAny };
 
 struct Rocky7Keys {
   Task task = Task::kReach;
@@ -20,6 +22,13 @@ struct Rocky7Keys {
   double height_m = 0.02;  // over the ground; of its diameter one half (assumed, 0.3-0.7)
   double buried = 0.1;     // share of its height in the ground; assumed, 0-0.3
   double turn_rad = 0.0;   // about the vertical
+  TargetLies lies = TargetLies::kFlat;
+  // The field's stones that wheels and scoops move: those that are smaller, this near to the
+  // target. All others lie in the ground and sink under a wheel. Assumed, 4-12 cm and 0.3-1 m.
+  double loose_below_m = 0.08, loose_within_m = 0.5;
+  // Gravel from this size on lies this near to the target, for cameras alone. Smaller pebbles are
+  // in the ground's texture. Assumed, 3-10 mm and 0.5-2 m.
+  double gravel_m = 0.005, gravel_within_m = 0.8;
   // The rover's start heading off the target; NaN: start.heading counts.
   double off_target_rad = std::numeric_limits<double>::quiet_NaN();
   double reach_m = 0.01;  // how near the point P must come: "to within 1 cm"

@@ -116,11 +116,13 @@ void Rocky7Plant::Advance(const Commands& commands) {
 Stage Rocky7Plant::Look() const {
   const StageShapes shapes = scene_.Shapes();
   Stage stage = StageOn(world_.X_WG(), world_.X_WG(), shapes.ground_rgb);
+  std::size_t loose = 0;
   for (std::size_t i = 0; i < shapes.bodies.size(); ++i) {
     // Beyond the rover's links there are stones, in G, and surroundings, in the world.
     const std::string& name = shapes.bodies[i].name;
     Pose3 fixed = name == "shade" || name == "scenery" ? Pose3{} : world_.X_WG();
     if (name == "target" && built_.world.loose_target) fixed = world_.X_WG() * truth_.X_GT;
+    if (name == LooseStoneName(loose)) fixed = world_.X_WG() * truth_.X_GS.at(loose++);
     stage.bodies.push_back({name, i < truth_.X_WL.size() ? truth_.X_WL[i] : fixed});
   }
   return stage;

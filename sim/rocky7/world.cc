@@ -73,6 +73,10 @@ World::World(const WorldSetup& setup)
   if (setup.boulder) parts_.Add(BoulderPart(*setup.boulder, fixed));
   stones_.AddTo(parts_, StoneOnStone(setup), fixed);
   if (setup.loose_target) AddLooseTarget();
+  loose_targets_ = loose_.count();
+  for (const ConvexBody& stone_G : setup.loose_stones) {
+    AddLoose(MakeLooseStone(stone_G, kStoneDensity_kg_m3));
+  }
   if (setup.boulder) {
     rover_.PutMast(setup.robot.rover.mast->watch_rad);
     rover_.tree().SetAngle(rover_.arm().link(kArmRoll), setup.robot.rover.arm->roll_stop_rad);
@@ -81,16 +85,20 @@ World::World(const WorldSetup& setup)
   const long settle = std::lround(kSettle_s / setup.step_s);
   for (long i = 0; i < settle; ++i) Step(braked);
   steps_ = 0;
-  if (loose_.count() > 0) target_start_m_ = loose_.motion(0).X_GL.p.z();
+  if (loose_targets_ > 0) target_start_m_ = loose_.motion(0).X_GL.p.z();
   imu_.Start(rover_.body());
 }
 
 void World::AddLooseTarget() {
-  const LooseStone stone =
-      MakeLooseStone(*setup_.loose_target, kStoneDensity_kg_m3,
-                     StandingAt(*setup_.loose_target, {0.0, 0.0}, setup_.target_turn_rad,
-                                setup_.ground.Height(0.0, 0.0)));
+  const ConvexBody& shape = *setup_.loose_target;
+  AddLoose(MakeLooseStone(shape, kStoneDensity_kg_m3,
+                          StandingAt(shape, setup_.R_GT_start, {0.0, 0.0},
+                                     setup_.ground.Height(0.0, 0.0), setup_.target_buried)));
+}
+
+void World::AddLoose(const LooseStone& stone) {
   const int number = loose_.Add(stone);
+  loose_.Bed(number, setup_.ground);
   parts_.Add({.at = {loose_.body(number), 0},
               .body_L = stone.shape_S,
               .material = StoneOnStone(setup_),
@@ -147,11 +155,12 @@ Truth World::truth() const {
   truth.most_face_n = most_face_n_;
   if (setup_.boulder) truth.p_GP = truth.p_GF;
   truth.X_GT = setup_.boulder       ? Pose3{Eigen::Matrix3d::Identity(), setup_.target_G}
-               : loose_.count() > 0 ? loose_.motion(0).X_GL
+               : loose_targets_ > 0 ? loose_.motion(0).X_GL
                : setup_.stones.empty()
                    ? Pose3{}
                    : Pose3::Translation(0.0, 0.0, setup_.stones.front().centre.z());
-  if (loose_.count() > 0) truth.target_rise_m = truth.X_GT.p.z() - target_start_m_;
+  if (loose_targets_ > 0) truth.target_rise_m = truth.X_GT.p.z() - target_start_m_;
+  for (int i = loose_targets_; i < loose_.count(); ++i) truth.X_GS.push_back(loose_.motion(i).X_GL);
   for (int i = 0; i < rover_.motor_count(); ++i) {
     truth.motors.push_back({rover_.angle_rad(i), rover_.rate_rad_s(i), rover_.output(i).torque_nm(),
                             rover_.output(i).current_a, rover_.output(i).lead_rad});

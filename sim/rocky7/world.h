@@ -33,12 +33,14 @@ struct WorldSetup {
   HeightGrid ground;                   // in the site frame G
   Pose2 X_WG;                          // site in the world, before it is tilted
   Slope slope;
-  Pose2 X_GR_start;                // the rover in plan
-  std::vector<ConvexBody> stones;  // in the ground, in G; the target first
-  double stone_friction = 0.6;     // of the rover's parts and of other stones on them
+  Pose2 X_GR_start;                        // the rover in plan
+  std::vector<ConvexBody> stones;          // in the ground, in G; the target first
+  double stone_friction = 0.6;             // of the rover's parts and of other stones on them
+  std::vector<ConvexBody> loose_stones{};  // on the ground, in G; scoops and wheels move them
   // The target where it lies loose, in its own frame and at rest; then it is not among the stones.
   std::optional<ConvexBody> loose_target{};
-  double target_turn_rad = 0.0;
+  Eigen::Matrix3d R_GT_start = Eigen::Matrix3d::Identity();
+  double target_buried = 0.0;  // share of its height below the ground
   // To place the instrument on, in G. Then the mast watches, and the arm is rolled aside.
   std::optional<StarBody> boulder{};
   Eigen::Vector3d target_G{0, 0, 0};  // the middle of its face
@@ -55,6 +57,7 @@ struct Truth {
   Eigen::Vector3d p_GP{0, 0, 0};  // the point on the body that is to reach the target
   Pose3 X_GT;                  // the target: middle of a fixed one, centre of mass of a loose one
   double target_rise_m = 0.0;  // since the start
+  std::vector<Pose3> X_GS{};   // of the loose stones of the field: their centres of mass
   std::vector<MotorTruth> motors{};
   double sinkage_m = 0.0;        // mean of the wheels
   std::vector<double> sunk_m{};  // each stone, by wheels
@@ -84,6 +87,7 @@ class World {
   /// Averages since the last call.
   TrueImu TakeTrueImu();
   const WheeledBody& rover() const { return rover_; }
+  /// The target first where it lies loose, then the field's.
   const LooseStones& loose() const { return loose_; }
   const HeightGrid& ground() const { return setup_.ground; }
   const Pose3& X_WG() const { return X_WG_; }
@@ -92,6 +96,7 @@ class World {
  private:
   double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
   void AddLooseTarget();
+  void AddLoose(const LooseStone& stone);
   bool MeetsStone() const;
 
   WorldSetup setup_;
@@ -103,6 +108,7 @@ class World {
   int rover_parts_ = 0;  // the first ones
   BeddedStones stones_;
   LooseStones loose_;
+  int loose_targets_ = 0;  // the first ones
   FaceContact face_;
   double most_face_n_ = 0.0;
   bool on_stone_ = false;

@@ -88,6 +88,19 @@ TEST(Rocky7World, PressesTheSameStoneIntoSand) {
   EXPECT_GT(sand.truth().sunk_m[0], 0.003);
 }
 
+// The wheel that climbs a bedded stone pushes a loose one out of its bed.
+TEST(Rocky7World, PushesALooseStoneAside) {
+  WorldSetup setup = WithStone("compact_gravel", 0.04);
+  std::swap(setup.loose_stones, setup.stones);
+  World world(setup);
+  const Pose3 before = world.truth().X_GS.at(0);
+  const auto commands = Ahead(world, 0.7);
+  for (int i = 0; i < 6000; ++i) world.Step(commands);
+  const Truth after = world.truth();
+  EXPECT_GT((after.X_GS.at(0).p - before.p).norm(), 5e-3);
+  EXPECT_LT(after.X_GR.x, 1.2 - 0.2);
+}
+
 TEST(Rocky7World, NoticesAStoneUnderTheBody) {
   WorldSetup setup = AtStart();
   setup.stones = {Pose3::Translation(1.2 - 0.6, 0.0, 0.0) * RockShape({0.2, 0.19}, 0.1, 0.0, 3)};
