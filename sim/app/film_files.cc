@@ -72,14 +72,14 @@ void AddOutsideOptions(CLI::App& command, OutsideArguments& arguments) {
   command
       .add_option("--from", arguments.from_D,
                   "where the spectator stands, from the target: out along its axis, to the left, "
-                  "up [m] [where all is in view]")
+                  "up [m] [where all is in view; with --at near its point, where nothing hides it]")
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3);
   command
       .add_option("--at", arguments.at,
-                  "the spectator's aim point: target, robot, another point of the system (tip, "
-                  "gripper ...), or a place as of --from [robot and target]")
+                  "the spectator's aim point, shown from near: target, robot, another point of the "
+                  "system (tip, gripper ...), or a place as of --from [robot and target]")
       ->type_name("NAME|X,Y,Z");
 }
 
@@ -116,7 +116,7 @@ double WriteOutside(const LoggedRun& log, const StageShapes& shapes, const Outsi
   const std::unique_ptr<StereoRenderer> renderer = MakeRenderer();
   const std::size_t sample = log.SampleAt(time_s);
   OutsideView view(log, shapes, options, sample, sample, *renderer);
-  WriteWhole(file, EncodePng(view.Picture(sample)));
+  WriteWhole(file, EncodePng(view.Image(sample)));
   return log.times_s[sample];
 }
 

@@ -48,7 +48,7 @@ Examples:
   dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
   dockyard replay out/typical --frames out/film --period 5
-  dockyard replay out/typical --frames out/tip --period 20 --at tip
+  dockyard replay out/typical --frames out/near --period 20 --at target
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Where the log keeps some of the images alone
@@ -57,7 +57,8 @@ the folder holds no result of this run, or its log is cut short.
 
 --frames compares nothing: it draws the run as its log tells it, from outside and with the cameras'
 images in the corner, one PNG for each --period of simulated time, and prints the command that makes
-a film of them. A run whose log is not kept is simulated again.)";
+a film of them. A run whose log is not kept is simulated again. --at without --from shows its point
+from near, from where the least hides it while the robot is there.)";
 
 /// The processors and libraries that a campaign's rows were made on, where they are not these.
 void ReportEnvironment(const std::filesystem::path& dir) {

@@ -3,21 +3,13 @@
 #include <algorithm>
 
 #include "controller/base/number_text.h"
+#include "sim/spectator/belief_words.h"
 #include "sim/spectator/canvas.h"
 
 namespace dockyard {
 namespace {
 
 constexpr double kRounding_s = 1e-6;
-
-std::string PoseWords(const Series& series, std::size_t sample) {
-  const auto value = [&](const char* name) {
-    const auto found = series.find(name);
-    return found == series.end() ? 0.0 : found->second[sample];
-  };
-  return "x " + Fixed(value("x_m"), 2) + " m, y " + Fixed(value("y_m"), 2) + " m, heading " +
-         Fixed(Degrees(value("heading_rad")), 1) + " deg";
-}
 
 std::string PhaseAt(const LoggedRun& run, double time_s) {
   std::string phase;
@@ -50,11 +42,8 @@ std::vector<std::string> Film::Caption(std::size_t sample) const {
   const double time_s = run_.times_s[sample];
   std::vector<std::string> lines{Fixed(time_s, 1) + " s  " + PhaseAt(run_, time_s)};
   if (run_.truth.contains("x_m")) lines.push_back("true: " + PoseWords(run_.truth, sample));
-  const auto located = run_.belief.find("located");
-  if (located != run_.belief.end()) {
-    lines.push_back("believed: " + (located->second[sample] != 0.0 ? PoseWords(run_.belief, sample)
-                                                                   : "not located"));
-  }
+  const std::string believed = BelievedWords(run_, sample);
+  if (!believed.empty()) lines.push_back("believed: " + believed);
   if (sample + 1 == run_.times_s.size()) lines.push_back(OutcomeOf(run_));
   return lines;
 }
@@ -92,7 +81,7 @@ void Film::AddInsets(double time_s, RgbImage& frame) {
 }
 
 RgbImage Film::Frame(std::size_t sample) {
-  RgbImage frame = view_.Picture(sample);
+  RgbImage frame = view_.Image(sample);
   AddInsets(run_.times_s[sample], frame);
   DrawWords(frame, {6, 6}, Caption(sample), frame.height / 28.0);
   return frame;

@@ -1,4 +1,4 @@
-// The world of a logged run from outside, as a picture for people.
+// The world of a logged run from outside, as a image for people.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace dockyard {
 struct OutsideOptions {
   int width = 960, height = 540;  // [px]
   std::optional<Eigen::Vector3d>
-      from_D{};             // of the camera; none: where it sees all (SpectatorPose)
+      from_D{};             // of the camera; none: where it sees all, or near the point
   std::optional<Aim> at{};  // none: robot and target
 };
 
@@ -23,13 +23,13 @@ struct OutsideOptions {
 /// point stays in the middle. Run, shapes and renderer must outlive it.
 class OutsideView {
  public:
-  /// The camera sees the target and the robot, or the point, from sample `first` to `last`. Throws
-  /// as OutsideScenes.
+  /// The camera sees the target and the robot from sample `first` to `last` (SpectatorPose), or the
+  /// point (FindNearView). Throws as OutsideScenes.
   OutsideView(const LoggedRun& run, const StageShapes& shapes, const OutsideOptions& options,
               std::size_t first, std::size_t last, StereoRenderer& renderer);
 
   /// Samples must not fall. 8 bits in sRGB.
-  RgbImage Picture(std::size_t sample);
+  RgbImage Image(std::size_t sample);
 
  private:
   const LoggedRun& run_;
@@ -39,7 +39,7 @@ class OutsideView {
   Camera camera_;
   Pose3 X_WC_;
   StereoRenderer& renderer_;
-  double gain_ = 0.0;  // to linear 0..1, from the first picture on
+  double gain_ = 0.0;  // to linear 0..1, from the first image on
 };
 
 }  // namespace dockyard

@@ -36,13 +36,13 @@ TEST(OutsideView, ShowsEachBodyWhereTheLogHasIt) {
   const auto renderer = MakeRenderer();
   OutsideView view(run, shapes, options, 0, 1, *renderer);
   const Camera camera = PinholeCamera(320, 180, 32.0 * kPi / 180.0);
-  const Pose3 X_CW = Inverse(LookAt({2.0, 8.0, 3.0}, {1.5, 0.0, 0.1}));
+  const Pose3 X_CW = Inverse(PoseAimedAt({2.0, 8.0, 3.0}, {1.5, 0.0, 0.1}));
   for (const std::size_t sample : {std::size_t{0}, std::size_t{1}}) {
-    const RgbImage picture = view.Picture(sample);
+    const RgbImage image = view.Image(sample);
     const Eigen::Vector2d robot = *camera.Project(X_CW * run.X_WO[0][sample].p);
-    EXPECT_LT((MiddleOf(picture, 0) - robot).norm(), 3.0) << sample;
+    EXPECT_LT((MiddleOf(image, 0) - robot).norm(), 3.0) << sample;
     const Eigen::Vector2d target = *camera.Project(X_CW * Eigen::Vector3d(0.0, 0.0, 0.1));
-    EXPECT_LT((MiddleOf(picture, 2) - target).norm(), 3.0) << sample;
+    EXPECT_LT((MiddleOf(image, 2) - target).norm(), 3.0) << sample;
   }
 }
 
@@ -53,14 +53,45 @@ TEST(OutsideView, HasGroundAllTheWayToTheSpectator) {
   const auto renderer = MakeRenderer();
   for (const Eigen::Vector3d& from_D : {Eigen::Vector3d(2.0, 8.0, 3.0), {7.0, -4.0, 1.0}}) {
     OutsideView view(run, shapes, {.width = 320, .height = 180, .from_D = from_D}, 0, 1, *renderer);
-    const RgbImage picture = view.Picture(0);
+    const RgbImage image = view.Image(0);
     int green = 0;
-    for (int x = 0; x < picture.width; ++x) {
-      const std::uint8_t* p = &picture.pixels[3 * (179 * std::size_t{320} + x)];
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint8_t* p = &image.pixels[3 * (179 * std::size_t{320} + x)];
       green += p[1] > 2 * p[0] && p[1] > 2 * p[2];
     }
     EXPECT_EQ(green, 320) << from_D.transpose();
   }
+}
+
+// The robot, 0.4 m high, has a mast of 2 m: its top is in the image without further options.
+TEST(OutsideView, HoldsTheWholeRobot) {
+  LoggedRun run = SomeRun();
+  StageShapes shapes = SomeShapes();
+  shapes.bodies[0].parts.push_back(
+      {Box(0.1), Pose3::Translation(0.0, 0.0, 1.9), {0.03, 0.6, 0.03}});
+  const auto renderer = MakeRenderer();
+  OutsideView view(run, shapes, {.width = 320, .height = 180}, 0, 1, *renderer);
+  for (const std::size_t sample : {std::size_t{0}, std::size_t{1}}) {
+    EXPECT_GT(MiddleOf(view.Image(sample), 1).y(), 0.0) << sample;
+  }
+}
+
+// The same place once without sky and once with a bright sky in most of the first image.
+TEST(OutsideView, HasOneExposureWhateverSkyThereIs) {
+  const LoggedRun run = SomeRun();
+  StageShapes shapes = SomeShapes();
+  shapes.light.sky_irradiance = 5.0;
+  const auto renderer = MakeRenderer();
+  const auto ground = [&](double up_m) {
+    OutsideOptions options{.width = 320, .height = 180, .from_D = Eigen::Vector3d(1.0, 4.0, 1.0)};
+    options.at = Aim{"", Eigen::Vector3d(0.0, 0.0, up_m)};
+    OutsideView view(run, shapes, options, 0, 1, *renderer);
+    const RgbImage image = view.Image(0);
+    double sum = 0.0;
+    for (int x = 100; x < 220; ++x) sum += image.pixels[3 * (175 * std::size_t{320} + x) + 1];
+    return sum / 120.0;
+  };
+  EXPECT_NEAR(ground(1.6), ground(-1.0), 12.0);
 }
 
 TEST(OutsideScenes, FollowTheGroundsChanges) {

@@ -5,10 +5,10 @@
 namespace dockyard {
 namespace {
 
-TEST(LookAt, PutsTheCentreInTheMiddleAndTheWorldsUpwardsUp) {
+TEST(PoseAimedAt, PutsTheCentreInTheMiddleAndTheWorldsUpwardsUp) {
   const Camera camera = PinholeCamera(640, 360, 0.6);
   const Eigen::Vector3d eye(3.0, -2.0, 1.5), centre(0.5, 0.3, 0.2);
-  const Pose3 X_CW = Inverse(LookAt(eye, centre));
+  const Pose3 X_CW = Inverse(PoseAimedAt(eye, centre));
   const Eigen::Vector2d middle = *camera.Project(X_CW * centre);
   EXPECT_NEAR(middle.x(), 319.5, 1e-9);
   EXPECT_NEAR(middle.y(), 179.5, 1e-9);
