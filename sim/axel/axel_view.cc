@@ -4,6 +4,7 @@
 #include "sim/base/random.h"
 #include "sim/plant/drawn_mesh.h"
 #include "sim/plant/ground_view.h"
+#include "sim/plant/sun_motion.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::axel {
@@ -63,7 +64,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                           .dust_albedo = soil_rgb_});
   scene.tether.points_W = truth.tether_W;
   scene.tether.diameter_m = tether_diameter_m_;
-  scene.light = lighting_.sun_and_sky;
+  scene.light = LightAt(lighting_, truth.time_s);
   return scene;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/plant/ground_spectrum.h"
 #include "sim/plant/ground_view.h"
 #include "sim/plant/scenery.h"
+#include "sim/plant/sun_motion.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::custom {
@@ -158,7 +159,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, int carri
   AddSurroundings(lighting_, scene.objects);
   scene.ground = ViewOf(ground, X_WG_, floor_rgb_, texture_seed_);
   scene.ground.grain = grain_;
-  scene.light = lighting_.sun_and_sky;
+  scene.light = LightAt(lighting_, truth.time_s);
   for (const BoardFit& fit : boards_) {
     BoardView view;
     view.board = fit.board;

@@ -4,16 +4,10 @@
 
 #include "render/blackbody.h"
 #include "sim/base/random.h"
+#include "sim/scenario/sun_path.h"
 
 namespace dockyard {
 namespace {
-
-/// Direction to the sun in the level dock frame: the dock's, turned upright. Azimuth counts from
-/// its x axis, where the target faces, counter-clockwise from above.
-Eigen::Vector3d ToSun(double azimuth_rad, double elevation_rad) {
-  return {std::cos(elevation_rad) * std::cos(azimuth_rad),
-          std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad)};
-}
 
 /// A frame at p whose z axis points at the sun and whose x axis is level.
 Pose3 FacingSun(const Eigen::Vector3d& p, const Eigen::Vector3d& to_sun) {
@@ -77,10 +71,12 @@ RenderMesh Leaves(RandomStream& random) {
   return mesh;
 }
 
-/// The sun where the file puts it, else where the draw for this kind of light puts it.
+/// Direction to the sun in the level dock frame: the dock's, turned upright. Azimuth counts from
+/// its x axis, where the target faces. The sun is where the file puts it, else where the draw for
+/// this kind of light puts it.
 Eigen::Vector3d Wanted(const SunModel& sun, double azimuth_rad, double elevation_rad) {
-  return ToSun(std::isnan(sun.azimuth_rad) ? azimuth_rad : sun.azimuth_rad,
-               std::isnan(sun.elevation_rad) ? elevation_rad : sun.elevation_rad);
+  return DirectionOf(std::isnan(sun.azimuth_rad) ? azimuth_rad : sun.azimuth_rad,
+                     std::isnan(sun.elevation_rad) ? elevation_rad : sun.elevation_rad);
 }
 
 Lighting Even(RandomStream& random, const SunModel& sun) {
@@ -194,6 +190,7 @@ Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_D
   if (sun.temperature_k > 0.0) lit.sun_and_sky.sun_rgb = BlackbodyRgb(sun.temperature_k);
   if (sun.sky_temperature_k > 0.0) lit.sun_and_sky.sky_rgb = BlackbodyRgb(sun.sky_temperature_k);
   // Made in the level dock frame, placed in the world.
+  if (sun.moving) lit.to_pole_W = X_WL.R * NorthPole(sun, lit.sun_and_sky.to_sun_W);
   lit.sun_and_sky.to_sun_W = X_WL.R * lit.sun_and_sky.to_sun_W;
   for (SceneObject& occluder : lit.occluders) occluder.X_WO = X_WL * occluder.X_WO;
   return lit;

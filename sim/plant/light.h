@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "controller/geometry/pose.h"
@@ -19,8 +20,9 @@ struct SceneryObject {
 };
 
 struct Lighting {
-  SunAndSky sun_and_sky;
-  std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
+  SunAndSky sun_and_sky;                       // at the run's start; later: sun_motion.h
+  std::optional<Eigen::Vector3d> to_pole_W{};  // about which the sun turns; none: it stays
+  std::vector<SceneObject> occluders;          // posed in the world; they stay where they are
   std::vector<SceneryObject> scenery{};
   bool leaves = false;                 // whether those are leaves
   double board_dust = 0.0;             // mean share of the board's face under dust

@@ -7,6 +7,7 @@
 #include "sim/plant/drawn_mesh.h"
 #include "sim/plant/ground_spectrum.h"
 #include "sim/plant/ground_view.h"
+#include "sim/plant/sun_motion.h"
 #include "sim/raposa/mark_meshes.h"
 #include "sim/raposa/robot_parts.h"
 #include "sim/run/shade_body.h"
@@ -114,7 +115,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamp
   scene.tether.points_W = truth.cable_W;
   scene.tether.diameter_m = cable_m_;
   scene.tether.material = cable_material_;
-  scene.light = lighting_.sun_and_sky;
+  scene.light = LightAt(lighting_, truth.time_s);
   scene.interest =
       Interest{truth.X_WP * Eigen::Vector3d(-0.5 * mark_reach_m_, 0.0, 0.0), mark_reach_m_};
   if (!lamps_on) return scene;

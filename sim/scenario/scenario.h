@@ -26,6 +26,12 @@ struct SunModel {
   double azimuth_rad = std::numeric_limits<double>::quiet_NaN();    // from the way the target faces
   double elevation_rad = std::numeric_limits<double>::quiet_NaN();  // above the level
   double temperature_k = 0.0, sky_temperature_k = 0.0;
+  // Whether it moves during a run (sun_path.h), and where on the Earth: the Mars Yard at JPL,
+  // 34.20 deg N.
+  bool moving = false;
+  double latitude_rad = Radians(34.2);
+  // Of the north, as azimuth_rad; NaN: the sun is in the meridian at the start.
+  double north_rad = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The yard: a slope with gentle undulation, deterministic in the run's seed.

@@ -15,6 +15,7 @@
 #include "sim/scenario/rock_keys.h"
 #include "sim/scenario/scenery_keys.h"
 #include "sim/scenario/short_forms.h"
+#include "sim/scenario/sun_keys.h"
 
 namespace dockyard {
 namespace {
@@ -45,19 +46,6 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
         in.Seed({"seed", "", "of the program's own random draws; the world's has no part in it"},
                 s.controller_seed);
       });
-}
-
-void VisitSun(Keys& keys, SunModel& sun) {
-  using enum Presence;
-  keys.Degrees({"azimuth_deg", "deg", "from the way the target faces; none: random", kUnset},
-               sun.azimuth_rad, Between(-180.0, 180.0));
-  keys.Degrees({"elevation_deg", "deg", "above the level; none: random", kUnset}, sun.elevation_rad,
-               Between(2.0, 90.0));
-  // The Planckian locus is known from 1667 to 25000 K.
-  keys.Number({"temperature_k", "K", "colour of the sun; none: white", kUnset}, sun.temperature_k,
-              Between(1667.0, 25000.0));
-  keys.Number({"sky_temperature_k", "K", "colour of the sky; none: white", kUnset},
-              sun.sky_temperature_k, Between(1667.0, 25000.0));
 }
 
 void VisitHeights(Keys& keys, YardHeights& heights) {
@@ -273,7 +261,7 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   if (system != nullptr && !s.start.HasNames(system->start)) s.start = system->start;
   keys.Mapping({"start", "", "", kRequired}, [&](Keys& in) { s.start.Visit(in); });
   keys.Choice({"light", "", "kind of light"}, s.light, LightWords());
-  keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.sun); });
+  keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.light, s.sun); });
   keys.Mapping({"yard", "", ""}, [&](Keys& in) { VisitYard(in, s.yard); });
   keys.Mapping({"rocks", "", ""}, [&](Keys& in) { VisitRocks(in, s); });
   keys.Tree({"scenery", "", "more that cameras see: solids, meshes and sets of solids", kUnset},

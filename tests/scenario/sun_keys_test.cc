@@ -5,6 +5,7 @@
 
 #include "scenario/toy_system.h"
 #include "sim/scenario/load_scenario.h"
+#include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
 namespace {
@@ -52,6 +53,35 @@ TEST_F(SunKeys, BadSunIsReportedByPlace) {
             "scenarios/s.yaml:10:7: sun.elevation: unknown key, did you mean 'elevation_deg'?");
   EXPECT_EQ(Refused("sun: noon"),
             "scenarios/s.yaml:10:6: sun: expected a mapping (key: value), found 'noon'");
+}
+
+TEST_F(SunKeys, ASunStaysUnlessItIsToMove) {
+  EXPECT_FALSE(Loaded("").sun.moving);
+  const Scenario noon = Loaded("sun: {moving: true}");
+  EXPECT_TRUE(noon.sun.moving);
+  EXPECT_EQ(noon.sun.latitude_rad, Radians(34.2));
+  EXPECT_TRUE(std::isnan(noon.sun.north_rad));
+  const Scenario placed = Loaded(
+      "sun: {moving: true, latitude_deg: -20, azimuth_deg: 30, elevation_deg: 60, north_deg: 45}");
+  EXPECT_EQ(placed.sun.latitude_rad, Radians(-20.0));
+  EXPECT_EQ(placed.sun.north_rad, Radians(45.0));
+  EXPECT_TRUE(DifferingKeys(placed, ReadScenario(WriteScenario(placed), ToySystems())).empty());
+}
+
+TEST_F(SunKeys, BadPathOfTheSunIsRefused) {
+  using ::testing::HasSubstr;
+  EXPECT_THAT(Refused("sun: {moving: true, north_deg: 10, azimuth_deg: 5}"),
+              HasSubstr("sun.north_deg: expected azimuth_deg and elevation_deg next to it"));
+  EXPECT_THAT(Refused("sun: {moving: true, latitude_deg: 70}"), HasSubstr("from -66 to 66"));
+  EXPECT_THAT(
+      MessageOf(
+          [&] { LoadScenario(folder_.And("sun: {moving: true}"), {"light=room"}, ToySystems()); },
+          folder_),
+      HasSubstr("sun.moving: expected false"));
+  EXPECT_THAT(Refused("sun: {moving: true, elevation_deg: 20}"),
+              HasSubstr("within 23.45 deg of the celestial equator"));
+  EXPECT_THAT(Refused("sun: {moving: true, azimuth_deg: 0, elevation_deg: 50, north_deg: 0}"),
+              HasSubstr("within 23.45 deg of the celestial equator"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "sim/axel/build_run.h"
 #include "sim/axel/fiducial_truth.h"
 #include "sim/plant/built_cameras.h"
+#include "sim/plant/sun_motion.h"
 #include "support/source_tree.h"
 
 namespace dockyard::axel {
@@ -93,6 +94,21 @@ INSTANTIATE_TEST_SUITE_P(Ranges, StartView,
 INSTANTIATE_TEST_SUITE_P(NavcamRanges, StartView,
                          testing::Values(Overrides{"start.r_m=1.8", kNavcam},
                                          Overrides{"start.r_m=3", kNavcam}));
+
+TEST(SceneBuilder, HasTheSunOfTheTruthsTime) {
+  const Scenario scenario = TypicalScenario({"sun.moving=true"});
+  const BuiltRun built = Build(scenario);
+  const World world(built.world);
+  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
+                             built.lighting, SiteOf(scenario), scenario.seed);
+  Truth truth = world.truth();
+  const SunAndSky start = builder.Make(truth, world.ground()).light;
+  EXPECT_EQ(start.to_sun_W, built.lighting.sun_and_sky.to_sun_W);
+  truth.time_s = 3600.0;
+  const SunAndSky later = builder.Make(truth, world.ground()).light;
+  EXPECT_EQ(later.to_sun_W, LightAt(built.lighting, 3600.0).to_sun_W);
+  EXPECT_LT(later.to_sun_W.dot(start.to_sun_W), std::cos(Radians(10.0)));
+}
 
 TEST(FiducialTruth, ArmInFrontHidesWhatTheRendererHides) {
   // A plate a hand's breadth before one fiducial, and nothing before the others.

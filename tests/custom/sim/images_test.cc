@@ -13,6 +13,7 @@
 #include "sim/custom/custom_plant.h"
 #include "sim/custom/custom_view.h"
 #include "sim/plant/renderer.h"
+#include "sim/plant/sun_motion.h"
 
 namespace dockyard::custom {
 namespace {
@@ -108,6 +109,20 @@ TEST(CustomImages, CornersOfABentBoardMoveAsItsArcSays) {
   }
   EXPECT_LT(middle_off.norm(), 0.05);
   EXPECT_GT(middle_moved.norm(), 1.5);
+}
+
+TEST(CustomImages, HaveTheSunOfTheTruthsTime) {
+  const Scenario scenario = ChargerScenario({"light=even", "sun.moving=true"});
+  const BuiltRun built = BuildRun(scenario, LoadModels(scenario));
+  const World world(built.world);
+  const SceneBuilder builder(built, scenario.seed);
+  Truth truth = world.truth();
+  const SunAndSky start = builder.Make(truth, world.ground(), 0).light;
+  EXPECT_EQ(start.to_sun_W, built.lighting.sun_and_sky.to_sun_W);
+  truth.time_s = 3600.0;
+  const SunAndSky later = builder.Make(truth, world.ground(), 0).light;
+  EXPECT_EQ(later.to_sun_W, LightAt(built.lighting, 3600.0).to_sun_W);
+  EXPECT_LT(later.to_sun_W.dot(start.to_sun_W), std::cos(Radians(10.0)));
 }
 
 /// One image of the scenario's start.

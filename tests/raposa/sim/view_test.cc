@@ -6,6 +6,7 @@
 
 #include "models/read/yaml_tree.h"
 #include "raposa/sim/raposa_rig.h"
+#include "sim/plant/sun_motion.h"
 #include "sim/raposa/raposa_plant.h"
 #include "support/source_tree.h"
 
@@ -68,6 +69,22 @@ RgbImage PictureOf(const Start& start, double* c_px, Eigen::Vector2d* guide_px) 
     *c_px = std::max(*c_px, std::abs(camera.camera.Project(X_CP * p_P)->x() - guide_px->x()));
   }
   return std::get<RgbImage>(plant.TakeImages({kBackCamera}, 0.0).at(0).pixels);
+}
+
+TEST(RaposaView, HasTheSunOfTheTruthsTime) {
+  const Start start = At(1.0, 0.0);
+  SunModel sun;
+  sun.moving = true;
+  const Lighting lighting = MakeLighting(Light::kEven, Pose3{}, {0.0, 0.0, 0.5}, 1, sun);
+  const World world(start.built.world);
+  const SceneBuilder builder(start.built, lighting, 1);
+  Truth truth = world.truth();
+  EXPECT_EQ(builder.Make(truth, world.ground(), false).light.to_sun_W,
+            lighting.sun_and_sky.to_sun_W);
+  truth.time_s = 3600.0;
+  const SunAndSky later = builder.Make(truth, world.ground(), false).light;
+  EXPECT_EQ(later.to_sun_W, LightAt(lighting, 3600.0).to_sun_W);
+  EXPECT_LT(later.to_sun_W.dot(lighting.sun_and_sky.to_sun_W), std::cos(Radians(10.0)));
 }
 
 TEST(RaposaView, GuideIsSeenWhereItProjects) {
