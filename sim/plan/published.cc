@@ -6,111 +6,16 @@
 
 #include "models/read/config_error.h"
 #include "models/read/yaml_reader.h"
+#include "sim/plan/published_items.h"
 
 namespace dockyard {
 namespace {
-
-constexpr int kMostRuns = 1000000;
-constexpr std::size_t kMostItems = 100;
-
-[[noreturn]] void Fail(const YamlNode& node, const std::string& path, const std::string& expected) {
-  throw ConfigError(node.place.Text() + ": " + path + ": expected " + expected + ", found " +
-                    node.Found());
-}
-
-PublishedName NameAt(const YamlNode& node, const std::string& path) {
-  if (node.kind != YamlNode::Kind::kScalar || node.scalar.empty()) Fail(node, path, "a name");
-  return {node.scalar, node.place, path};
-}
-
-PublishedName NameOf(const YamlReader& in, const char* key) {
-  return NameAt(in.Child(key), in.PathOf(key));
-}
-
-/// A list of names; none without the key.
-std::vector<PublishedName> NamesOf(const YamlReader& in, const char* key) {
-  std::vector<PublishedName> names;
-  if (!in.Has(key)) return names;
-  const YamlNode& list = in.List(key, 1, kMostItems);
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    names.push_back(NameAt(list.items[i], YamlReader::PathOf(in.PathOf(key), i)));
-  }
-  return names;
-}
-
-std::vector<std::string> TextsOf(const YamlReader& in, const char* key) {
-  std::vector<std::string> texts;
-  for (const PublishedName& name : NamesOf(in, key)) texts.push_back(name.text);
-  return texts;
-}
-
-/// {label: text} or {label: [texts]}.
-std::vector<LabelFilter> FiltersOf(const YamlReader& in) {
-  std::vector<LabelFilter> filters;
-  if (!in.Has("where")) return filters;
-  const YamlNode& where = in.Child("where");
-  if (where.kind != YamlNode::Kind::kMapping) {
-    in.Refuse("where", "labels of the campaign, each with its texts");
-  }
-  for (std::size_t i = 0; i < where.keys.size(); ++i) {
-    const std::string path = in.PathOf("where") + "." + where.keys[i].name;
-    LabelFilter filter{{where.keys[i].name, where.keys[i].place, path}, {}};
-    const YamlNode& value = where.items[i];
-    if (value.kind == YamlNode::Kind::kSequence) {
-      for (const YamlNode& item : value.items) filter.texts.push_back(NameAt(item, path).text);
-    } else {
-      filter.texts.push_back(NameAt(value, path).text);
-    }
-    filters.push_back(std::move(filter));
-  }
-  return filters;
-}
-
-/// {column: number} or {column: [numbers]}.
-std::vector<ColumnFilter> ColumnFiltersOf(const YamlReader& in) {
-  std::vector<ColumnFilter> filters;
-  for (LabelFilter& filter : FiltersOf(in)) {
-    ColumnFilter found{std::move(filter.label), {}};
-    for (const std::string& text : filter.texts) {
-      const auto value = NumberFromText(text);
-      if (!value) {
-        throw ConfigError(found.column.place.Text() + ": " + found.column.path +
-                          ": expected numbers of the column, found '" + text + "'");
-      }
-      found.values.push_back(*value);
-    }
-    filters.push_back(std::move(found));
-  }
-  return filters;
-}
-
-/// [count, runs]
-std::optional<PublishedCount> CountOf(const YamlReader& in, const char* key) {
-  if (!in.Has(key)) return std::nullopt;
-  const YamlNode& list = in.Child(key);
-  const auto whole = [](const YamlNode& node, int& value) {
-    const auto number = node.kind == YamlNode::Kind::kScalar && !node.quoted
-                            ? NumberFromText(node.scalar)
-                            : std::nullopt;
-    if (!number || *number != std::floor(*number) || *number < 0 || *number > kMostRuns) {
-      return false;
-    }
-    value = static_cast<int>(*number);
-    return true;
-  };
-  PublishedCount count;
-  const bool good = list.kind == YamlNode::Kind::kSequence && list.items.size() == 2 &&
-                    whole(list.items[0], count.count) && whole(list.items[1], count.runs) &&
-                    count.count <= count.runs && count.runs > 0;
-  if (!good) Fail(list, in.PathOf(key), "[count, runs], whole numbers with count <= runs");
-  return count;
-}
 
 /// Calls read(reader) for each mapping of a list.
 template <class Read>
 void ForItems(const YamlReader& in, const char* key, std::vector<std::string> keys, Read&& read) {
   if (!in.Has(key)) return;
-  const YamlNode& list = in.List(key, 1, kMostItems);
+  const YamlNode& list = in.List(key, 1, kMostPublishedItems);
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     read(YamlReader(list.items[i], YamlReader::PathOf(in.PathOf(key), i), keys));
   }
@@ -129,7 +34,7 @@ void ReadCampaigns(const YamlReader& in, Published& published) {
     }
     published.campaigns.push_back({name, item.File("file")});
   });
-  if (published.campaigns.empty()) in.List("campaigns", 1, kMostItems);
+  if (published.campaigns.empty()) in.List("campaigns", 1, kMostPublishedItems);
 }
 
 std::size_t RowNamed(const PublishedName& name, const Published& published) {
@@ -144,14 +49,14 @@ std::size_t RowNamed(const PublishedName& name, const Published& published) {
 }
 
 void ReadRows(const YamlReader& in, Published& published) {
-  in.List("rows", 1, kMostItems);
+  in.List("rows", 1, kMostPublishedItems);
   ForItems(in, "rows", {"name", "paper", "where", "campaign", "runs", "outcomes"},
            [&](const YamlReader& item) {
              PublishedRow row{item.Text("name"), CountOf(item, "paper"), FiltersOf(item)};
              if (item.Has("campaign")) {
                // The paper's runs are repeated by the first campaign alone.
                row.campaign = NameOf(item, "campaign");
-               row.runs = item.Integer("runs", 1, kMostRuns);
+               row.runs = item.Integer("runs", 1, kMostPublishedRuns);
              } else if (item.Has("runs")) {
                item.Refuse("runs", "none without a campaign: the first has the paper's");
              }
@@ -178,7 +83,7 @@ void ReadFailures(const YamlReader& in, Published& published) {
                                   item.TextOr("says", ""),
                                   FiltersOf(item),
                                   {}};
-             item.List("cases", 1, kMostItems);
+             item.List("cases", 1, kMostPublishedItems);
              ForItems(item, "cases", {"outcomes", "sighting", "methods", "where"},
                       [&](const YamlReader& each) {
                         FailureCase found{NamesOf(each, "outcomes"), false,
@@ -271,7 +176,7 @@ Published LoadPublished(const std::string& file) {
   published.source = in.Text("source");
   ReadCampaigns(in, published);
   published.replications = in.IntegerOr("replications", 1, 1, 10000);
-  in.List("counted", 1, kMostItems);
+  in.List("counted", 1, kMostPublishedItems);
   published.counted = NamesOf(in, "counted");
   ReadRows(in, published);
   ReadFailures(in, published);

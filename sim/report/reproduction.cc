@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/report/points.h"
+#include "sim/report/reproduction_failures.h"
 #include "sim/statistics/quantile.h"
 
 namespace dockyard {
@@ -15,27 +16,6 @@ bool Contains(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
-/// Of one of the summed columns; NaN where the row does not have it.
-double ValueOf(const RunResult& row, const RowColumns& columns, const std::string& name) {
-  const std::vector<Column> summed = SummedColumns(columns);
-  const auto at = std::find_if(summed.begin(), summed.end(),
-                               [&](const Column& column) { return column.name == name; });
-  return SummedValue(row, static_cast<std::size_t>(at - summed.begin()));
-}
-
-bool Matches(const std::vector<ColumnFilter>& where, const RunResult& row,
-             const RowColumns& columns) {
-  return std::all_of(where.begin(), where.end(), [&](const ColumnFilter& filter) {
-    const double value = ValueOf(row, columns, filter.column.text);
-    return std::find(filter.values.begin(), filter.values.end(), value) != filter.values.end();
-  });
-}
-
-bool Names(const std::vector<PublishedName>& names, const std::string& text) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const PublishedName& name) { return name.text == text; });
-}
-
 RowFinding FindRow(const Published& published, std::size_t place, const CampaignResults& results) {
   RowFinding found;
   found.row = &published.rows[place];
@@ -43,7 +23,7 @@ RowFinding FindRow(const Published& published, std::size_t place, const Campaign
     if (!Matches(found.row->where, row, results.columns)) continue;
     ++found.runs;
     const auto& outcomes = found.row->outcomes;
-    found.successes += outcomes.empty() ? Counts(published, row) : Names(outcomes, row.outcome);
+    found.successes += outcomes.empty() ? Counts(published, row) : IsNamed(outcomes, row.outcome);
   }
   const auto& judged = published.judged;
   const bool of_judged = std::find(judged.begin(), judged.end(), place) != judged.end();
@@ -58,66 +38,6 @@ RowFinding FindRow(const Published& published, std::size_t place, const Campaign
   found.at_95 = PredictCount(found.successes, found.runs, paper.runs, kConfidence);
   found.judged_at = PredictCount(found.successes, found.runs, paper.runs, found.confidence);
   found.p = PredictionP(found.successes, found.runs, paper.count, paper.runs);
-  return found;
-}
-
-/// The run's last accepted sighting; null where there is none or no log is kept.
-const SightingError* LastSighting(const RunResult& row, const SightingErrors& sightings) {
-  const auto found = sightings.find(row.run);
-  return found == sightings.end() || found->second.empty() ? nullptr : &found->second.back();
-}
-
-bool Wrong(const SightingError& error, const Published& published) {
-  return error.place_error_m > published.wrong_place_m ||
-         std::abs(error.heading_error_rad) > published.wrong_heading_rad;
-}
-
-bool Holds(const FailureCase& given, const RunResult& row, const RowColumns& columns,
-           const SightingError* last, const Published& published) {
-  if (!given.outcomes.empty() && !Names(given.outcomes, row.outcome)) return false;
-  if (!Matches(given.where, row, columns)) return false;
-  if (!given.wrong_sighting && given.methods.empty()) return true;
-  if (last == nullptr) return false;
-  if (!given.methods.empty() && !Contains(given.methods, last->method)) return false;
-  return !given.wrong_sighting || Wrong(*last, published);
-}
-
-/// The first class of the file that the failure belongs to; their number for the others.
-std::size_t ClassOf(const RunResult& row, const CampaignResults& results,
-                    const Published& published) {
-  const SightingError* last = LastSighting(row, results.sightings);
-  for (std::size_t i = 0; i < published.failures.size(); ++i) {
-    const FailureClass& failure = published.failures[i];
-    if (!Matches(failure.where, row, results.columns)) continue;
-    if (std::any_of(failure.cases.begin(), failure.cases.end(), [&](const FailureCase& each) {
-          return Holds(each, row, results.columns, last, published);
-        })) {
-      return i;
-    }
-  }
-  return published.failures.size();
-}
-
-std::vector<FailureFinding> FindFailures(const Published& published,
-                                         const CampaignResults& results) {
-  std::vector<FailureFinding> found;
-  if (published.failures.empty()) return found;
-  for (const FailureClass& failure : published.failures) {
-    FailureFinding each{failure.name, failure.says, failure.paper, 0, 0, std::nullopt};
-    for (const RunResult& row : results.rows) {
-      each.runs += Matches(failure.where, row, results.columns);
-    }
-    found.push_back(std::move(each));
-  }
-  found.push_back(
-      {"others", published.others, std::nullopt, 0, static_cast<int>(results.rows.size()), {}});
-  for (const RunResult& row : results.rows) {
-    if (!Counts(published, row)) ++found[ClassOf(row, results, published)].count;
-  }
-  for (FailureFinding& each : found) {
-    if (!each.paper || each.runs != each.paper->runs * results.replications) continue;
-    each.at_95 = PredictCount(each.count, each.runs, each.paper->runs, kConfidence);
-  }
   return found;
 }
 
@@ -144,7 +64,7 @@ ErrorFinding FindError(const PublishedError& paper, const Published& published,
       if (std::abs(error.r_m - paper.at_m) > published.within_m) continue;
       if (!published.methods.empty() && !Contains(published.methods, error.method)) continue;
       ++found.sightings;
-      if (Wrong(error, published)) {
+      if (IsWrong(error, published)) {
         ++found.wrong;
         continue;
       }
@@ -228,7 +148,7 @@ const char* NameOf(ReproductionVerdict verdict) {
 }
 
 bool Counts(const Published& published, const RunResult& row) {
-  return Names(published.counted, row.outcome);
+  return IsNamed(published.counted, row.outcome);
 }
 
 bool Matches(const std::vector<LabelFilter>& where, const RunResult& row,
