@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/page/near_part.h"
 #include "sim/page/scene_part.h"
 #include "sim/page/table_part.h"
 
@@ -93,9 +94,11 @@ void AddReplays(const ReportContent& content, Payload& payload, Json& header,
     std::future<LoggedRun> here = std::exchange(next, read(i + 1));
     try {
       const LoggedRun log = here.get();
-      const std::size_t scene = scenes.Add(watched.shapes());
+      const StageShapes shapes = watched.shapes();
+      const std::size_t scene = scenes.Add(shapes);
       const std::size_t before = payload.size();
       Json replay = ReplayPart(log, FactsOf(content, watched, scene, log), payload);
+      if (!replay.is_null()) replay["near"] = NearPart(log, shapes, payload);
       if (kBase64 * static_cast<double>(payload.size()) > static_cast<double>(content.most_bytes)) {
         payload.CutTo(before);
         left_out.push_back(std::to_string(content.watched.size() - i) + " of " +

@@ -48,7 +48,7 @@ set(rooms
   "sim/plant|what the worlds of all systems share: cameras as built, light, ground, scenery, meshes, models read once, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
   "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|plant|run)/|unistd.h"
   "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
-  "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"
+  "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|spectator|page)/|zlib.h"
   "sim/spectator|a logged run in pictures: from outside, and what its cameras saw|${contract}|models/read/|render/|sim/(base|images|log|run|spectator)/|opencv2/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"

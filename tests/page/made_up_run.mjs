@@ -109,6 +109,7 @@ export function makeReplay(blobs, run, with_pictures = true) {
     ],
     lines: [tether(blobs, body, samples)],
     ground: ground(blobs, wheelAt(1), wheelAt(-1), samples),
+    near: near(blobs, body),
     pose: planar(poses_D),
     believed: {
       pose: planar(believed),
@@ -137,6 +138,30 @@ export function makeReplay(blobs, run, with_pictures = true) {
     messages: run.run % 7 === 0 ? 'warning: the left motor was at its limit for 0.3 s\n' : '',
   };
   return { replay, last: body[samples - 1] };
+}
+
+/** The target's point: over the station, and in the second half of the run taken along by the robot. */
+function nearPoints(body) {
+  const half = Math.floor(body.length / 2);
+  return body.map((pose, k) => {
+    const moved = k <= half ? [0, 0, 0] : [0, 1, 2].map((i) => pose[i] - body[half][i]);
+    return [X_WD[0] + moved[0], X_WD[1] + moved[1], 0.34 + moved[2]];
+  });
+}
+
+export const NEAR_OUT = [0.3, -0.5, 0.4];
+
+function near(blobs, body) {
+  const points = nearPoints(body);
+  return {
+    at: [0, 1, 2].map((axis) =>
+      blobs.channel(
+        points.map((p) => p[axis]),
+        1e-4,
+      ),
+    ),
+    out: NEAR_OUT,
+  };
 }
 
 function tether(blobs, body, samples) {

@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { openReport, startBrowser } from './browser.mjs';
 import { makeReport } from './made_up_report.mjs';
+import { NEAR_OUT } from './made_up_run.mjs';
 import { fillPage, packPayload, pageWith } from './payload_writer.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'report-'));
@@ -115,6 +116,42 @@ test('a click on the map, on a row or on a cause leads to the run', async () => 
   await page.waitForSelector('#run', { state: 'visible' });
   assert.match(await page.textContent('.run-title'), new RegExp(header.causes[0].outcome));
   await context.close();
+});
+
+test('the view to the target has its point in the middle and near, as the point moves', async () => {
+  for (const [with_browser, distance_m] of [
+    [browser, Math.hypot(...NEAR_OUT)],
+    [flat_browser, null],
+  ]) {
+    const { page, context, messages } = await open({ rows: 40, replays: 3 }, { hash: '#run=2' }, with_browser);
+    await page.waitForSelector('canvas.stage');
+    const goTo = (/** @type {number} */ share) =>
+      page.locator('input[type=range]').first().evaluate((input, at) => {
+        input.value = String(Number(input.min) + at * (Number(input.max) - Number(input.min)));
+        input.dispatchEvent(new Event('input', { bubbles: true }));
+      }, share);
+    await goTo(0.1);
+    const before = (await frameOf(page)).framed_near;
+    assert.ok(Math.hypot(before[0], before[1]) > 0.05, `in the middle before: ${before}`);
+    await page.click('button:text-is("Follow robot")');
+    await page.click('button:text-is("Near target")');
+    assert.equal(await page.getAttribute('button:text-is("Follow robot")', 'aria-pressed'), 'false');
+    for (const share of [0.3, 0.8, 1, 0.1]) {
+      await goTo(share);
+      const [u, v, off_m] = (await frameOf(page)).framed_near;
+      assert.ok(Math.hypot(u, v) < 0.002, `${share}: at ${u}, ${v}`);
+      if (distance_m !== null) assert.ok(Math.abs(off_m - distance_m) < 0.001, `${share}: ${off_m} m off`);
+    }
+    await page.click('button:text-is("Reset view")');
+    assert.equal(await page.getAttribute('button:text-is("Near target")', 'aria-pressed'), 'false');
+    const after = (await frameOf(page)).framed_near;
+    assert.ok(Math.abs(after[0] - before[0]) < 0.02 && Math.abs(after[1] - before[1]) < 0.02, `${after}, ${before}`);
+    assert.deepEqual(
+      messages.filter((message) => !/WebGL/.test(message)),
+      [],
+    );
+    await context.close();
+  }
 });
 
 test('keys play, step and go to both ends', async () => {
@@ -365,7 +402,7 @@ test('a replay without bodies, ground and lines can be used', async () => {
   report.header.scenes[0] = { bodies: [] };
   report.header.meshes = [];
   const [replay] = report.header.replays;
-  for (const name of ['bodies', 'ground', 'lines']) delete replay[name];
+  for (const name of ['bodies', 'ground', 'lines', 'near']) delete replay[name];
   const file = join(folder, 'no_bodies.html');
   writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));
   const { page, context, messages } = await openReport(browser, file);

@@ -121,3 +121,10 @@ export class TubeLine {
     this.mesh.instanceMatrix.needsUpdate = true;
   }
 }
+
+/** @param {any} group @param {number[] | undefined} pose */
+export function place(group, pose) {
+  if (!pose) return;
+  group.position.set(pose[0], pose[1], pose[2]);
+  group.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
+}

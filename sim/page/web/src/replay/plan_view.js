@@ -1,6 +1,6 @@
 // The replay from above on a flat canvas: needs no WebGL.
 
-import { convexHull } from './hull.js';
+import { bodyCorners, convexHull } from './hull.js';
 import { GroundHeights } from './ground_heights.js';
 import { compose, turned } from './poses.js';
 
@@ -25,6 +25,7 @@ export class PlanView {
     this.canvas.setAttribute('aria-label', 'The run from above.');
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
     this.following = false;
+    this.is_near = false;
     this.time = 0;
     this.corners = new Map(
       tracks.bodies.map((/** @type {any} */ { body }) => [
@@ -43,6 +44,12 @@ export class PlanView {
   /** @param {boolean} following */
   follow(following) {
     this.following = following;
+    this.draw(this.time);
+  }
+
+  /** @param {boolean} is_near */
+  goNear(is_near) {
+    this.is_near = is_near;
     this.draw(this.time);
   }
 
@@ -83,7 +90,7 @@ export class PlanView {
     for (const line of tracks.lines) this.stroke(tracks.linePoints(line, time), '#111', 2, []);
   }
 
-  /** Scale and middle: the whole way, or 4 m about the robot. */
+  /** Scale and middle: the whole way, 4 m about the robot, or 0.8 m about the target's point. */
   aim() {
     const { canvas, tracks } = this;
     let [x0, y0, x1, y1] = tracks.extent();
@@ -92,8 +99,11 @@ export class PlanView {
       const [x, y] = this.poses?.get(robot.body) ?? [0, 0];
       [x0, y0, x1, y1] = [x - 1, y - 1, x + 1, y + 1];
     }
+    const point = this.is_near ? tracks.nearPoint(this.time) : null;
+    const margin = point ? 0.8 : 2.2;
+    if (point) [x0, y0, x1, y1] = [point[0], point[1], point[0], point[1]];
     this.middle = [(x0 + x1) / 2, (y0 + y1) / 2];
-    this.scale = Math.min(canvas.width / (x1 - x0 + 2.2), canvas.height / (y1 - y0 + 2.2));
+    this.scale = Math.min(canvas.width / (x1 - x0 + margin), canvas.height / (y1 - y0 + margin));
   }
 
   /** @param {number} x @param {number} y @returns {[number, number]} */
@@ -204,35 +214,16 @@ export class PlanView {
     return null;
   }
 
+  framedNear() {
+    const point = this.tracks.nearPoint(this.time);
+    if (!point) return null;
+    const [u, v] = this.pixel(point[0], point[1]);
+    return [(2 * u) / this.canvas.width - 1, 1 - (2 * v) / this.canvas.height, null];
+  }
+
   drawn() {
     return Object.fromEntries(
       [...(this.poses ?? [])].map(([body, pose]) => [this.tracks.scene.bodies[body].name, pose]),
     );
   }
-}
-
-/**
- * The corners of each part's box, in the body's frame.
- * @param {any} body
- * @param {any[]} meshes
- * @param {import('../payload.js').Blobs} blobs
- */
-function bodyCorners(body, meshes, blobs) {
-  return (body.parts ?? []).map((/** @type {any} */ part) => {
-    const vertices = blobs.f32(meshes[part.mesh].vertices);
-    const low = [Infinity, Infinity, Infinity],
-      high = [-Infinity, -Infinity, -Infinity];
-    for (let i = 0; i < vertices.length; ++i) {
-      low[i % 3] = Math.min(low[i % 3], vertices[i]);
-      high[i % 3] = Math.max(high[i % 3], vertices[i]);
-    }
-    const ends = [low, high];
-    const corners = Array.from({ length: 8 }, (_, i) => [
-      ends[i & 1][0],
-      ends[(i >> 1) & 1][1],
-      ends[i >> 2][2],
-    ]);
-    const shift = part.position ?? [0, 0, 0];
-    return corners.map((p) => turned(part.quaternion ?? [0, 0, 0, 1], p).map((v, axis) => v + shift[axis]));
-  });
 }

@@ -41,6 +41,12 @@ export class Player {
       { type: 'button', 'aria-pressed': 'false', onclick: () => this.follow() },
       'Follow robot',
     );
+    this.near = make(
+      'button',
+      { type: 'button', 'aria-pressed': 'false', onclick: () => this.goNear(!isPressed(this.near)) },
+      'Near target',
+    );
+    this.near.hidden = !this.tracks.near;
     this.flat = make(
       'button',
       { type: 'button', 'aria-pressed': 'false', onclick: () => this.switchView() },
@@ -50,7 +56,8 @@ export class Player {
       'div',
       { class: 'tools' },
       this.followed,
-      make('button', { type: 'button', onclick: () => this.view.reset() }, 'Reset view'),
+      this.near,
+      make('button', { type: 'button', onclick: () => this.reset() }, 'Reset view'),
       this.flat,
     );
     this.element = make(
@@ -95,14 +102,28 @@ export class Player {
     this.view = this.makeView(!flat);
     this.flat.setAttribute('aria-pressed', String(flat));
     this.resize();
-    this.view.follow(this.followed.getAttribute('aria-pressed') === 'true');
+    this.view.follow(isPressed(this.followed));
     this.draw();
+    if (isPressed(this.near)) this.view.goNear(true);
   }
 
   follow() {
-    const on = this.followed.getAttribute('aria-pressed') !== 'true';
+    const on = !isPressed(this.followed);
+    if (on && isPressed(this.near)) this.goNear(false);
     this.followed.setAttribute('aria-pressed', String(on));
     this.view.follow(on);
+  }
+
+  /** The target's point from near, over the whole run. @param {boolean} on */
+  goNear(on) {
+    if (on && isPressed(this.followed)) this.follow();
+    this.near.setAttribute('aria-pressed', String(on));
+    this.view.goNear(on);
+  }
+
+  reset() {
+    if (isPressed(this.near)) this.goNear(false);
+    this.view.reset();
   }
 
   resize() {
@@ -181,6 +202,7 @@ export class Player {
       solid: this.view instanceof View3d,
       frame_ms: this.frame_ms,
       framed: this.view.framed(),
+      framed_near: this.view.framedNear(),
     };
   }
 
@@ -203,6 +225,11 @@ function viewLegend(tracks) {
     tracks.scene.bodies.some((/** @type {any} */ b) => b.leaves) &&
       make('span', { class: 'leaf-key' }, 'leaves that throw the speckled shade'),
   );
+}
+
+/** @param {any} button */
+function isPressed(button) {
+  return button.getAttribute('aria-pressed') === 'true';
 }
 
 /** @param {number} angle */

@@ -31,6 +31,7 @@ export class Tracks {
     this.images = replay.images?.shown ?? []; // without a sighting
     this.phases = replay.phases ?? [];
     this.ground = replay.ground ?? null;
+    this.near = replay.near ? { at: replay.near.at.map(read), out: replay.near.out } : null;
   }
 
   /** Time of a sample. @param {number} sample */
@@ -67,6 +68,16 @@ export class Tracks {
       );
     }
     return poses;
+  }
+
+  /** The target's point in W; null where the data have none. @param {number} time */
+  nearPoint(time) {
+    if (!this.near) return null;
+    const { sample, share } = this.place(time);
+    return this.near.at.map(
+      (/** @type {Float64Array} */ values) =>
+        values[sample] + (share > 0 ? share * (values[sample + 1] - values[sample]) : 0),
+    );
   }
 
   /** True pose of the robot in D. @param {number} time @returns {Planar | null} */

@@ -13,11 +13,13 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { cornersOf, firstView } from './first_view.js';
+import { framedCorners, framedPoint } from './framing.js';
 import { makeGround } from './ground3d.js';
-import { makeBody, makeBoard, TubeLine } from './parts3d.js';
+import { makeBody, makeBoard, place, TubeLine } from './parts3d.js';
 import { compose } from './poses.js';
 import { addLight } from './light3d.js';
 import { HORIZON, makeSky } from './sky3d.js';
+import { probeSoftware } from './software.js';
 import { lay, makeLine, makeTrail } from './trails3d.js';
 
 const FOV_DEG = 38;
@@ -65,6 +67,7 @@ export class View3d {
     });
     this.moved = false; // by the user: then a new size does not move it
     this.following = false;
+    this.is_near = false;
     this.time = 0;
     addLight(this.scene, tracks);
     this.addParts(header, blobs, drawn_in_software ? 2 : 8);
@@ -141,6 +144,18 @@ export class View3d {
     this.render();
   }
 
+  /** The target's point from near, in the direction that the data have. @param {boolean} is_near */
+  goNear(is_near) {
+    this.is_near = this.moved = is_near;
+    const point = this.tracks.nearPoint(this.time);
+    if (is_near && point) {
+      this.controls.target.set(point[0], point[1], point[2]);
+      this.camera.position.copy(this.controls.target).add(new Vector3(...this.tracks.near.out));
+      this.controls.update();
+    }
+    this.render();
+  }
+
   /** Moves the camera with its target. @param {Vector3} point */
   moveCamera(point) {
     const step = new Vector3(point.x, point.y, point.z).sub(this.controls.target);
@@ -165,6 +180,8 @@ export class View3d {
     );
     this.drawTrails(time, sample);
     if (this.following && this.robot !== undefined) this.moveCamera(this.bodies.get(this.robot).position);
+    const point = this.is_near ? this.tracks.nearPoint(time) : null;
+    if (point) this.moveCamera(new Vector3(...point));
     this.controls.update();
     this.render();
   }
@@ -206,18 +223,14 @@ export class View3d {
     this.renderer.forceContextLoss();
   }
 
-  /** Ends of robot and target in the image, -1 to 1 across and upwards: [u0, v0, u1, v1]. */
+  /** Ends of robot and target in the image. */
   framed() {
-    this.camera.updateMatrixWorld();
-    const ends = [Infinity, Infinity, -Infinity, -Infinity];
-    for (const corner of this.corners) {
-      const { x, y } = corner.clone().project(this.camera);
-      ends[0] = Math.min(ends[0], x);
-      ends[1] = Math.min(ends[1], y);
-      ends[2] = Math.max(ends[2], x);
-      ends[3] = Math.max(ends[3], y);
-    }
-    return ends;
+    return framedCorners(this.corners, this.camera);
+  }
+
+  /** Where the target's point is in the image, and how far off; or null. */
+  framedNear() {
+    return framedPoint(this.tracks.nearPoint(this.time), this.camera);
   }
 
   /** Where a body is drawn. @returns {Record<string, number[]>} */
@@ -229,21 +242,4 @@ export class View3d {
       ]),
     );
   }
-}
-
-/** Whether a processor draws in place of a graphics card: then smooth edges cost too much. Throws without WebGL. */
-function probeSoftware() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  if (!context) throw new Error('no WebGL');
-  const names = context.getExtension('WEBGL_debug_renderer_info');
-  const name = names ? String(context.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
-  context.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-}
-
-/** @param {any} group @param {number[] | undefined} pose */
-function place(group, pose) {
-  if (!pose) return;
-  group.position.set(pose[0], pose[1], pose[2]);
-  group.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
 }
