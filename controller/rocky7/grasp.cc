@@ -37,14 +37,17 @@ constexpr double kThere_rad = 0.02;
 
 }  // namespace
 
-Grasp::Grasp(const Nominal& nominal)
-    : nominal_(nominal), first_(FirstArmMotor(nominal)), commands_(kArmMotorCount) {}
+Grasp::Grasp(const Nominal& nominal, bool ground_as_body)
+    : nominal_(nominal),
+      ground_as_body_(ground_as_body),
+      first_(FirstArmMotor(nominal)),
+      commands_(kArmMotorCount) {}
 
 void Grasp::Start(const SensorFrame& sensed, bool weighs) {
   weighs_ = weighs;
   note_.clear();
   empty_ = loaded_ = {};
-  pitch_rad_ = PitchFor(kAbove_m);
+  pitch_rad_ = PitchFor(kAbove_m, sensed);
   since_ = sensed.tick;
 }
 
@@ -60,9 +63,11 @@ double Grasp::Open(const SensorFrame& sensed) const {
   return Angle(sensed, ArmMotor::kBackScoop) - Angle(sensed, ArmMotor::kFrontScoop);
 }
 
-double Grasp::PitchFor(double height_m) const {
+double Grasp::PitchFor(double height_m, const SensorFrame& sensed) const {
   const double shoulder_m = nominal_.arm.p_RA.z() + nominal_.rolling_radius_m;
-  return std::asin(std::clamp((shoulder_m - height_m) / nominal_.arm.length_m, -1.0, 1.0));
+  const double ground_rad = ground_as_body_ ? sensed.imu.pitch_rad : 0.0;
+  return ground_rad +
+         std::asin(std::clamp((shoulder_m - height_m) / nominal_.arm.length_m, -1.0, 1.0));
 }
 
 void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
@@ -73,9 +78,11 @@ void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s
     commands_[i] = MoveTo(model, target_rad, std::min(speed_rad_s, model.max_speed_rad_s));
   };
   set(ArmMotor::kRoll, 0.0, kSwing_rad_s);
-  set(ArmMotor::kPitch, pitch_rad - sensed.imu.pitch_rad, pitch_rad_s);
-  set(ArmMotor::kFrontScoop, -pitch_rad - 0.5 * open_rad, scoop_rad_s);
-  set(ArmMotor::kBackScoop, -pitch_rad + 0.5 * open_rad, scoop_rad_s);
+  const double joint_rad = pitch_rad - sensed.imu.pitch_rad;
+  const double upright_rad = ground_as_body_ ? -joint_rad : -pitch_rad;
+  set(ArmMotor::kPitch, joint_rad, pitch_rad_s);
+  set(ArmMotor::kFrontScoop, upright_rad - 0.5 * open_rad, scoop_rad_s);
+  set(ArmMotor::kBackScoop, upright_rad + 0.5 * open_rad, scoop_rad_s);
 }
 
 bool Grasp::Arrived(const SensorFrame& sensed) const {
@@ -100,7 +107,7 @@ Event Grasp::Lower(const SensorFrame& sensed) {
   if (sensed.tick - since_ < kStill / 2) usual_a_ = now_a;
   usual_a_ += kLearn * (now_a - usual_a_);
   const bool touches = std::abs(now_a - usual_a_) > kTouch_a;
-  if (touches || pitch_rad_ >= PitchFor(kDown_m)) {
+  if (touches || pitch_rad_ >= PitchFor(kDown_m, sensed)) {
     note_ = touches ? "felt something below" : "reached the ground's height";
     raised_rad_ = 0.0;
     least_open_rad_ = 10.0;
@@ -157,7 +164,7 @@ Event Grasp::Step(Phase phase, const SensorFrame& sensed) {
       Turn(sensed, pitch_rad_, kLift_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
       Weigh(sensed, empty_);
       if (!Arrived(sensed)) break;
-      pitch_rad_ = PitchFor(kAbove_m);
+      pitch_rad_ = PitchFor(kAbove_m, sensed);
       event = Event::kArrived;
       break;
     case Phase::kLower:

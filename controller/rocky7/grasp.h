@@ -18,7 +18,8 @@ namespace dockyard::rocky7 {
 
 class Grasp {
  public:
-  explicit Grasp(const Nominal& nominal);
+  /// ground_as_body: the ground under the arm is taken to be parallel to the body, not level.
+  explicit Grasp(const Nominal& nominal, bool ground_as_body = false);
 
   /// From the arm as it is stowed, the rover standing.
   void Start(const SensorFrame& sensed, bool weighs);
@@ -35,9 +36,9 @@ class Grasp {
   double Angle(const SensorFrame& sensed, ArmMotor motor) const;
   double Current(const SensorFrame& sensed, ArmMotor motor) const;
   double Open(const SensorFrame& sensed) const;
-  /// Of the level at which the scoops' axis has this height over level ground.
-  double PitchFor(double height_m) const;
-  /// Pitch against the level; scoops about the vertical, open by so much.
+  /// Against the level, with the scoops' axis at this height over the ground.
+  double PitchFor(double height_m, const SensorFrame& sensed) const;
+  /// Pitch against the level; scoops about the ground's normal, open by so much.
   void Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
             double scoop_rad_s);
   bool Arrived(const SensorFrame& sensed) const;
@@ -47,6 +48,7 @@ class Grasp {
   Event Lift(const SensorFrame& sensed);
 
   const Nominal nominal_;
+  const bool ground_as_body_;
   std::size_t first_ = 0;  // of the arm's motors
   Tick since_ = 0;         // the phase began
   std::vector<MotorCommand> commands_;

@@ -17,7 +17,7 @@ Mission::Mission(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
     : nominal_(nominal),
       options_(options),
       approach_(nominal, std::move(tracker), approach),
-      grasp_(nominal) {}
+      grasp_(nominal, approach.ground_as_body) {}
 
 void Mission::Tell(const std::string& note) {
   belief_ = approach_.belief();

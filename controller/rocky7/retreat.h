@@ -7,8 +7,8 @@ namespace dockyard::rocky7 {
 
 class Retreat {
  public:
-  /// A look, with the point so far off the target. True: retreat, by Next. Looks from beyond near_m
-  /// tell nothing.
+  /// An image pair, with the point so far off the target. True: retreat, by Next. Beyond near_m
+  /// only a rover that is stuck comes no nearer: that takes more pairs.
   bool Look(double off_m, double near_m, int most_stalls);
   /// Back to one side, then to the other, so that the rover stands aside with its old heading: one
   /// arc to the target then ends with another one, and its wheels come by other ground. The sides
@@ -16,8 +16,13 @@ class Retreat {
   Arc Next();
 
  private:
-  double nearest_m_ = 1e9;  // that looks have seen the point come, on this approach
-  int stalls_ = 0;          // looks in a row that came no nearer
+  /// On this approach.
+  struct Progress {
+    double nearest_m = 1e9;  // the point to the target, by image pairs
+    int stalls = 0;          // pairs in a row that came no nearer
+  };
+
+  Progress far_, near_;
   int retreats_ = 0, steps_left_ = 0;
 };
 

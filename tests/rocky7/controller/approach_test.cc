@@ -58,6 +58,15 @@ TEST(GentleArcsToPoint, LeadBackAtFirstAndTurnNoSharperThanAMetre) {
   }
 }
 
+// Wheels that spin in their holes: image pairs differ by what they err.
+TEST(Retreat, BeginsFarAwayWhereTheRoverIsStuck) {
+  Retreat retreat;
+  for (const double off_m : {0.95, 0.90, 0.85, 0.84, 0.845, 0.838}) {
+    EXPECT_FALSE(retreat.Look(off_m, 0.25, 3)) << off_m;
+  }
+  EXPECT_TRUE(retreat.Look(0.843, 0.25, 3));
+}
+
 TEST(Retreat, BeginsAfterThreeLooksThatCameNoNearerAndTakesTurnsAside) {
   Retreat retreat;
   EXPECT_FALSE(retreat.Look(0.5, 0.25, 3));

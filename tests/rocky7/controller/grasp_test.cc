@@ -15,7 +15,8 @@ namespace {
 /// Drives that go to their targets, but for what the test puts in their way.
 class ArmStand {
  public:
-  explicit ArmStand(const Nominal& nominal) : nominal_(nominal), grasp(nominal) {
+  explicit ArmStand(const Nominal& nominal, bool ground_as_body = false)
+      : nominal_(nominal), grasp(nominal, ground_as_body) {
     rad_[1] = -1.4;
     rad_[2] = rad_[3] = -1.57;
   }
@@ -23,6 +24,7 @@ class ArmStand {
   void Step() {
     SensorFrame frame;
     frame.tick = tick_;
+    frame.imu.pitch_rad = pitch_rad;
     frame.motors.resize(12);
     for (std::size_t i = 0; i < 4; ++i) {
       frame.motors[8 + i] = {std::llround(rad_[i] / nominal_.motors[8 + i].rad_per_count),
@@ -45,7 +47,10 @@ class ArmStand {
     resists = apart < least_open_rad + 1e-9;
     tick_ += kControlPeriod;
   }
+  /// Of both lips in the middle, about the body's y axis.
+  double lips_rad() const { return rad_[1] + 0.5 * (rad_[2] + rad_[3]); }
   bool lifted() const { return phase == Phase::kLifted; }
+  /// Of the scoops' axis over ground that is parallel to the body.
   double height_m() const { return 0.13 + 0.07 - 0.32 * std::sin(rad_[1]); }
   double seconds() const { return static_cast<double>(tick_) * kTickSeconds; }
 
@@ -58,6 +63,7 @@ class ArmStand {
   Grasp grasp;
   Phase phase = Phase::kDeploy;
   bool weighs = false;
+  double pitch_rad = 0.0;  // of the body
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
   bool resists = false;
@@ -74,6 +80,23 @@ TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
   EXPECT_NEAR(lowest_m, 0.03, 0.003);
   EXPECT_GT(stand.height_m(), 0.28);
   EXPECT_EQ(stand.grasp.note(), "the scoops are shut");
+}
+
+// On a slope of 10 deg, downhill and uphill.
+TEST(Grasp, GoesDownToGroundThatIsParallelToTheBody) {
+  for (const double pitch_rad : {0.17, -0.17}) {
+    ArmStand stand(NominalRover(), true);
+    stand.pitch_rad = pitch_rad;
+    double lowest_m = 1.0;
+    while (!stand.lifted() && stand.seconds() < 60.0) {
+      stand.Step();
+      lowest_m = std::min(lowest_m, stand.height_m());
+    }
+    EXPECT_TRUE(stand.lifted());
+    EXPECT_NEAR(lowest_m, 0.03, 0.003) << pitch_rad;
+    // The lips are below the axis, upright on the ground.
+    EXPECT_NEAR(stand.lips_rad(), 0.0, 1e-9);
+  }
 }
 
 TEST(Grasp, StopsGoingDownWhereThePitchMotorsCurrentRises) {
