@@ -94,6 +94,11 @@ LossTruth TruthAt(const Rocky7Plant& plant, const SightingReport& report,
   for (std::size_t i = first_is_target ? 1 : 0; i < built.world.stones.size(); ++i) {
     found.others_E.push_back(DiscOf(built.world.stones[i], X_EG));
   }
+  for (std::size_t i = 0; i < built.world.loose_stones.size(); ++i) {
+    PlanDisc disc = DiscOf(built.world.loose_stones[i], X_EG);
+    disc.p_E = (X_EG * plant.truth().X_GS.at(i).p).head<2>();
+    found.others_E.push_back(disc);
+  }
   if (built.world.boulder) {
     found.target_radius_m = built.world.robot.rover.mast->instrument.radius_m;
     const Vector3d p_G = Inverse(X_WG) * (plant.truth().X_WR * report.X_RB.p);

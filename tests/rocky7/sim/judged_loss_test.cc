@@ -120,6 +120,8 @@ TEST(JudgedLoss, IsAnotherStonesInTheWindowWhereThatWasDetected) {
   };
   EXPECT_EQ(with(0.09), 3.0);
   EXPECT_EQ(with(0.06), 2.0);
+  // Stones below 8 cm lie loose.
+  EXPECT_EQ(LossAfter({{}, {.off_m = 0.1}}, "task: reach", {{-0.08, 0.0, 0.07}}), 3.0);
   EXPECT_EQ(LossAfter({{}, {.off_m = 0.1}}), 2.0);
 }
 
