@@ -146,14 +146,7 @@ ElevationMap FaceStereo::HeightsAbout(const FaceView& view, const Eigen::Vector2
   // A pixel's footprint across the view, at least.
   const double away_m = (p_E - view.pair.X_RC.p.head<2>()).norm();
   settings.cell_m = std::max(settings.cell_m, away_m / view.pair.focal_px);
-  ElevationMap map = MapHeights(view.pair, view.disparities, Plane{}, kFaceBlock_px, settings);
-  const double across_px = settings.cell_m * view.pair.focal_px / away_m;
-  for (std::size_t i = 0; i < map.points.size(); ++i) {
-    if (map.points[i] >= kCellShare * across_px * across_px) continue;
-    map.points[i] = 0;
-    map.height_m[i] = std::nanf("");
-  }
-  return map;
+  return MapHeights(view.pair, view.disparities, Plane{}, kFaceBlock_px, settings);
 }
 
 std::optional<StereoImages> MastPair(const SensorFrame& frame, Tick not_before) {

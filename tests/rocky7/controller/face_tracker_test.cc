@@ -49,18 +49,31 @@ TEST(FaceStereo, MeasuresPointAndNormalOfAFaceFromNearBy) {
   }
 }
 
-// A cell of few points is left out whole: the highest one of a window would be not a number.
-TEST(FaceStereo, EveryCellOfItsHeightsHasPointsOrNoHeight) {
+// A rock's top is few pixels high from afar.
+TEST(FaceStereo, EveryPixelWithARangeIsInACellOfItsHeights) {
   Watch watch;
   watch.scene.p_W = {0.9, 0.05, 0.4};
   watch.scene.normal_W = NormalOf(40.0, 30.0);
-  const ElevationMap map = watch.stereo.HeightsAbout(watch.Look(), {0.9, 0.05}, 0.2);
+  const FaceView view = watch.Look();
+  const ElevationMap map = watch.stereo.HeightsAbout(view, {0.9, 0.05}, 0.2);
+  int within = 0;
+  for (int v = 0; v < view.disparities.height; ++v) {
+    for (int u = 0; u < view.disparities.width; ++u) {
+      const float disparity_px = view.disparities.at(u, v);
+      if (!(disparity_px > 0.0F)) continue;
+      const Eigen::Vector3d p_E = view.pair.X_RC * view.pair.Point(u, v, disparity_px);
+      const double ix = std::floor((p_E.x() - (map.x0_m - 0.5 * map.cell_m)) / map.cell_m);
+      const double iy = std::floor((p_E.y() - (map.y0_m - 0.5 * map.cell_m)) / map.cell_m);
+      within += ix >= 0 && iy >= 0 && ix < map.nx && iy < map.ny;
+    }
+  }
   int known = 0;
   for (std::size_t i = 0; i < map.points.size(); ++i) {
     ASSERT_EQ(map.points[i] == 0, std::isnan(map.height_m[i])) << i;
-    known += map.points[i] > 0;
+    known += map.points[i];
   }
-  EXPECT_GT(known, 100);
+  EXPECT_EQ(known, within);
+  EXPECT_GT(known, 1000);
 }
 
 TEST(FaceStereo, FindsAClickWithinAFewCentimetresFromSixMetres) {
