@@ -27,6 +27,9 @@ constexpr double kOffAtEnd_m = 0.015, kOffShare = 0.1;
 constexpr double kLast_m = 0.15;
 // Looks under way in a row without the target, after which the rover stands to look. Assumed, 1-3.
 constexpr int kMostMissesUnderWay = 2;
+// A rover that drives further than this while its processor works on a pair takes pairs at rest
+// alone: the arc would be over, or have missed, before the pair tells. Assumed, 1-4 cm.
+constexpr double kWhileAtWork_m = 0.02;
 
 }  // namespace
 
@@ -37,7 +40,8 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
       stereo_(nominal, options.front_end),
       memory_{.tracker = std::move(tracker), .compares = options.sees_motion},
       drive_(nominal),
-      target_(options.odometry) {}
+      target_(options.odometry),
+      work_(nominal.compute_s) {}
 
 void Approach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
@@ -157,7 +161,7 @@ Event Approach::Decide(double yaw_rad) {
   const Arc& arc = path.front();
   const double left_m = std::abs(arc.length_m);
   const bool single = path.size() == 1;
-  driven_.watched = single && options_.look_each_m > 0.0 && left_m > kLast_m + options_.look_each_m;
+  driven_.watched = single && MayWatch() && left_m > kLast_m + options_.look_each_m;
   const double part_m =
       single ? std::max(options_.least_step_m, options_.image_share * left_m) : kFirstPart_m;
   const double step_m = driven_.watched ? left_m - kLast_m : part_m;
@@ -176,16 +180,24 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   return more.has_value();
 }
 
+// Whether image pairs are worth their time while it drives.
+bool Approach::MayWatch() const {
+  const double meanwhile_m = nominal_.plan.speed_m_s * nominal_.compute_s;
+  return options_.look_each_m > 0.0 && meanwhile_m <= kWhileAtWork_m;
+}
+
 Event Approach::Observe(const SensorFrame& sensed, Commands& commands) {
-  if (const auto images = FrontPair(sensed)) {
+  if (const auto images = FrontPair(sensed); images && !work_.busy()) {
     request_ = {};
-    if (!TooDark(images->left, sensed.imu)) {
-      const TargetSighting sighting = Detect(*images, sensed);
-      Tell(Name(Phase::kObserve), sighting.why);
-      const Event event = DecideBy(sighting, sensed.imu.yaw_rad);
-      if (event != Event::kNone) return event;
-    }
+    if (!TooDark(images->left, sensed.imu)) work_.Begin(sensed);
   }
+  if (const auto taken = work_.Done(sensed.tick)) {
+    const TargetSighting sighting = Detect(*FrontPair(*taken), *taken);
+    Tell(Name(Phase::kObserve), sighting.why);
+    const Event event = DecideBy(sighting, sensed.imu.yaw_rad);
+    if (event != Event::kNone) return event;
+  }
+  if (work_.busy()) return Event::kNone;
   const RequestState state = StateOf(request_, kPatience, sensed.tick);
   if (state == RequestState::kUnanswered) return GiveUp("the cameras do not answer");
   if (state == RequestState::kAwaited) return Event::kNone;
@@ -199,9 +211,14 @@ void Approach::Watch(const SensorFrame& sensed, Commands& commands) {
   if (!driven_.watched) return;
   const double driven_m = std::abs(drive_.driven_m());
   const double part_left_m = (1.0 - drive_.share()) * std::abs(driven_.part.length_m);
-  const auto images = FrontPair(sensed);
-  if (!images) {
-    const bool due = driven_m - driven_.imaged_at_m >= options_.look_each_m &&
+  if (FrontPair(sensed) && !work_.busy()) {
+    request_ = {};
+    driven_.imaged_at_m = driven_m;
+    work_.Begin(sensed);
+  }
+  const auto taken = work_.Done(sensed.tick);
+  if (!taken) {
+    const bool due = !work_.busy() && driven_m - driven_.imaged_at_m >= options_.look_each_m &&
                      part_left_m >= options_.look_each_m &&
                      StateOf(request_, kPatience, sensed.tick) != RequestState::kAwaited;
     if (!due) return;
@@ -210,9 +227,7 @@ void Approach::Watch(const SensorFrame& sensed, Commands& commands) {
     request_.asks = 0;  // a pair under way may be missing
     return;
   }
-  request_ = {};
-  driven_.imaged_at_m = driven_m;
-  const TargetSighting sighting = Detect(*images, sensed);
+  const TargetSighting sighting = Detect(*FrontPair(*taken), *taken);
   driven_.misses = sighting.found ? 0 : driven_.misses + 1;
   const double left_m =
       std::abs(driven_.whole.length_m) - drive_.share() * std::abs(driven_.part.length_m);

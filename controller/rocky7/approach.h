@@ -10,6 +10,7 @@
 #include "controller/imaging/image_request.h"
 #include "controller/rocky7/arc_drive.h"
 #include "controller/rocky7/ground_perception.h"
+#include "controller/rocky7/pair_work.h"
 #include "controller/rocky7/phases.h"
 #include "controller/rocky7/retreat.h"
 
@@ -77,6 +78,7 @@ class Approach {
   std::vector<Arc> PathToTarget() const;
   double OffAtEnd() const;
   bool TooDark(const GrayImage& left, const ImuSample& attitude);
+  bool MayWatch() const;
 
   const Nominal nominal_;
   const ApproachOptions options_;
@@ -85,6 +87,7 @@ class Approach {
   ArcDrive drive_;
   TargetOdometry target_;
   ImageRequest request_;
+  PairWork work_;
   double stops_ = 0.0;           // off the cameras' own exposure
   int pairs_ = 0, misses_ = 0;   // of images in all; in a row without the target
   Eigen::Vector2d aim_m_{0, 0};  // off the target, as arcs have missed it

@@ -27,7 +27,8 @@ FaceApproach::FaceApproach(const Nominal& nominal, std::unique_ptr<FaceTracker> 
       tracker_(std::move(tracker)),
       drive_(nominal),
       mast_(nominal),
-      odometry_(options.odometry) {}
+      odometry_(options.odometry),
+      work_(nominal.compute_s) {}
 
 void FaceApproach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
@@ -145,12 +146,14 @@ Event FaceApproach::Reached() {
 Event FaceApproach::Observe(const SensorFrame& sensed, Commands& commands) {
   if (const auto images = MastPair(sensed, rests_since_); images && request_.asked) {
     request_ = {};
-    if (!TooDark(images->left, sensed)) {
-      return DecideBy(DetectFace(stereo_, *images, mast_.Angles(sensed), sensed.imu, target_,
-                                 nominal_.target_px, *tracker_),
-                      sensed);
-    }
+    if (!TooDark(images->left, sensed)) work_.Begin(sensed);
   }
+  if (const auto taken = work_.Done(sensed.tick)) {
+    return DecideBy(DetectFace(stereo_, *MastPair(*taken, rests_since_), mast_.Angles(*taken),
+                               taken->imu, target_, nominal_.target_px, *tracker_),
+                    sensed);
+  }
+  if (work_.busy()) return Event::kNone;
   const RequestState state = StateOf(request_, kMastPatience, sensed.tick);
   if (state == RequestState::kUnanswered) return GiveUp("the mast's cameras do not answer");
   if (state == RequestState::kAwaited) return Event::kNone;

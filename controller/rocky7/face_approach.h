@@ -12,6 +12,7 @@
 #include "controller/rocky7/face_decision.h"
 #include "controller/rocky7/face_perception.h"
 #include "controller/rocky7/mast_drive.h"
+#include "controller/rocky7/pair_work.h"
 #include "controller/rocky7/phases.h"
 
 namespace dockyard::rocky7 {
@@ -52,6 +53,7 @@ class FaceApproach {
   FaceAt face_;
   double tool_off_rad_ = 0.0;
   ImageRequest request_;
+  PairWork work_;
   double stops_ = 0.0;          // off the cameras' own exposure
   bool aims_ = false;           // the mast is on its way
   Tick rests_since_ = 0;        // the mast, for the next images

@@ -169,6 +169,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   run.nominal.task = models.keys.task;
   run.nominal.reach_m = models.keys.reach_m;
   run.nominal.nesnas = models.keys.nesnas;
+  run.nominal.compute_s = models.keys.compute_s;
   return run;
 }
 

@@ -93,6 +93,9 @@ void VisitMembers(N& n, const Visit& visit) {
   visit("reach_m", n.reach_m);
   visit("target_px", n.target_px);
   visit("nesnas", n.nesnas);
+  // Logs of before 2026-11-30 have none.
+  if constexpr (!std::is_const_v<N>) n.compute_s = 0.0;
+  if (visit.Has("compute_s", true)) visit("compute_s", n.compute_s);
 }
 
 Json ToJson(const Nominal& nominal) { return WriteMember(nominal); }

@@ -77,6 +77,8 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
               Between(0.1, 2.0));
   keys.Number({"stone_stains", "", "of their albedo over its mean, 1 sigma"}, values.stone_stains,
               Between(0.0, 0.5));
+  keys.Number({"compute_s", "s", "that the controller's processor takes for an image pair"},
+              values.compute_s, Between(0.0, 600.0));
   keys.Mapping(Optional("nesnas"), [&](Keys& in) { VisitNesnas(in, values.nesnas); });
 }
 

@@ -46,6 +46,11 @@ struct Rocky7Keys {
   // Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
   // 0.4-1. Its stains over its mean: assumed, 0.1-0.2.
   double stone_albedo = 0.65, stone_stains = 0.15;
+  // The controller's processor takes this time for an image pair. The paper's, a 68060 of 60 MHz,
+  // has no published figure: assumed, 3-60 s. Blocks over 640 x 480 pixels and 64 differences,
+  // twice, are 4e8 to 8e8 instructions, 7-27 s at one in one or two cycles; 320 x 240 are an eighth
+  // of that.
+  double compute_s = 0.0;
   NesnasTracking nesnas{};
 };
 

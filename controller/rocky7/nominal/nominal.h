@@ -74,6 +74,7 @@ struct Nominal {
   // is to place the instrument.
   Eigen::Vector2d target_px{0, 0};
   NesnasTracking nesnas{};
+  double compute_s = 0.0;  // that its processor takes for an image pair
 };
 
 /// The point on level ground, in R's plan, below the scoops' axis where they close.

@@ -17,6 +17,7 @@ Nominal Sample() {
   Nominal nominal = MakeNominal(LoadRobot(SourceFile("models/rocky7/rocky7.yaml")));
   nominal.target_px = {12.5, 99.25};
   nominal.nesnas = {0.05, 0.2, 0.01, FrontEnd::kSandAndStones};
+  nominal.compute_s = 7.5;
   return nominal;
 }
 
@@ -43,6 +44,13 @@ TEST(Rocky7NominalJson, ReadsEveryNumberThatItWrites) {
   Json shifted = ToJson(Sample());
   Shift(shifted);
   EXPECT_EQ(ToJson(NominalFromJson(shifted)), shifted);
+}
+
+// Of before the key was there.
+TEST(Rocky7NominalJson, WithoutAProcessorsTimeItTakesNone) {
+  Json json = ToJson(Sample());
+  json.erase("compute_s");
+  EXPECT_EQ(NominalFromJson(json).compute_s, 0.0);
 }
 
 TEST(Rocky7NominalJson, RefusesAnothersParameters) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "controller/base/number_text.h"
 #include "controller/rocky7/dockyard.h"
 #include "controller/rocky7/nesnas2000.h"
 #include "models/read/yaml_tree.h"
@@ -88,6 +89,22 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   // It looks while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12 cm.
   EXPECT_GE(looks->under_way, 3);
   EXPECT_GE(looks->standing, 2);
+}
+
+// A slow processor: each pair costs its time, and the rover rests for it.
+TEST(Rocky7ClosedLoop, WithASlowProcessorOursRestsForEachPairAndGraspsTheStone) {
+  const auto taken = std::make_shared<LooksSeen>();
+  const System system =
+      Rocky7System({{"dockyard", [&](const Nominal& nominal) {
+                       return std::make_unique<Watched>(MakeDockyardController(nominal), taken);
+                     }}});
+  constexpr double kCompute_s = 5.0;
+  const RunRecord record =
+      RunFrom(system, "dockyard", "loose_sand", 2, "grasp, compute_s: " + NumberText(kCompute_s));
+  EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
+  EXPECT_EQ(taken->under_way, 0);
+  EXPECT_GE(taken->standing, 4);
+  EXPECT_GT(record.result.sim_time_s, kCompute_s * MeasureOf(record, "looks"));
 }
 
 // The ground ahead is not level, and the rover drifts down it.
