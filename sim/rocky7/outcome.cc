@@ -109,7 +109,7 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
               "claimed to be there; " + BrokenLimitsText(LimitsOf(end, limits))};
     case Verdict::kGivenUp:
       if (!end.sighted) return {Outcome::kGaveUp, "gave up; " + sighted + ", " + point};
-      return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,
+      return {end.estimate_off_m > limits.lost_m ? Outcome::kLostTarget : Outcome::kUnstable,
               "gave up; " + sighted};
     case Verdict::kUnderWay:
       break;

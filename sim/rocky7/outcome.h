@@ -41,7 +41,8 @@ Outcome SuccessOf(Task task);
 struct OutcomeLimits {
   double reach_m = 0.01;  // "to within 1 cm" (Nesnas, Maimone and Das 2000)
   double wrong_lock_m =
-      0.03;  // a claim this far off is of another thing: half a stone's width more
+      0.03;              // a claim this far off is of another thing: half a stone's width more
+  double lost_m = 0.03;  // a last detection this far off is of another thing
   double tilt_rad = Radians(5.0);  // of a placement: 5 deg
   double most_n = 10.0;
   double lifted_m = 0.02;  // a stone that has risen so far is off the ground; assumed, 1-5 cm

@@ -12,9 +12,13 @@
 namespace dockyard::rocky7 {
 namespace {
 
-constexpr double kStart_m = 1.0;
+struct Before {
+  double from_m = 1.0, up_m = 0.015;  // of the target, over the ground
+};
+constexpr Before kStone, kFace{2.8, 0.33};
 
-Scenario AtStone(const std::string& keys, const std::vector<GivenRock>& rocks = {}) {
+Scenario Resting(const Before& before, const std::string& keys,
+                 const std::vector<GivenRock>& rocks = {}) {
   Scenario scenario;
   scenario.name = "test";
   scenario.system = "rocky7";
@@ -22,7 +26,7 @@ Scenario AtStone(const std::string& keys, const std::vector<GivenRock>& rocks = 
   scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
   scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
   scenario.of_system = ParseYaml("{" + keys + "}", "test");
-  scenario.start = {kStart_m, 0.0, 0.0};
+  scenario.start = {before.from_m, 0.0, 0.0};
   scenario.yard.length_m = scenario.yard.width_m = 4.0;
   scenario.yard.cell_m = 0.01;
   scenario.rocks.given = rocks;
@@ -35,6 +39,7 @@ Scenario AtStone(const std::string& keys, const std::vector<GivenRock>& rocks = 
 struct Pair {
   bool found = true;
   double off_m = 0.0;        // of the detection, ahead
+  double aside_m = 0.0;      // of it, to the left
   double predicted_m = 0.0;  // off the target, ahead, before the pair
   double grasps = 0.0;
 };
@@ -42,21 +47,23 @@ struct Pair {
 // Reports the pairs one by one, in every second period, and gives up.
 class Given final : public Controller {
  public:
-  explicit Given(std::vector<Pair> pairs, int motors) : pairs_(std::move(pairs)), motors_(motors) {}
+  Given(const Before& before, const std::vector<Pair>& pairs, const Nominal& nominal)
+      : before_(before), pairs_(pairs), nominal_(nominal) {}
   Commands Step(const SensorFrame& sensed) override {
     Commands commands;
-    commands.motors.resize(static_cast<std::size_t>(motors_));
+    commands.motors.resize(nominal_.motors.size());
     const bool reports = period_ % 2 == 1;
     const Pair& pair = pairs_.at(static_cast<std::size_t>(period_++ / 2));
-    belief_.values = {{"target_x_m", kStart_m + (reports ? pair.off_m : pair.predicted_m)},
+    belief_.values = {{"target_x_m", before_.from_m + (reports ? pair.off_m : pair.predicted_m)},
                       {"target_y_m", 0.0},
                       {"grasps", pair.grasps}};
     if (!reports) return commands;
     const Eigen::Matrix3d R_ER = RotY(sensed.imu.pitch_rad) * RotX(sensed.imu.roll_rad);
     SightingReport report;
     report.accepted = pair.found;
-    report.X_RB = {R_ER.transpose(),
-                   R_ER.transpose() * Eigen::Vector3d(kStart_m + pair.off_m, 0.0, -0.05)};
+    const Eigen::Vector3d p_E(before_.from_m + pair.off_m, pair.aside_m,
+                              before_.up_m - nominal_.rolling_radius_m);
+    report.X_RB = {R_ER.transpose(), R_ER.transpose() * p_E};
     belief_.last_sighting = report;
     ++belief_.sighting_count;
     if (period_ == 2 * static_cast<int>(pairs_.size())) commands.verdict = Verdict::kGivenUp;
@@ -65,25 +72,34 @@ class Given final : public Controller {
   const Belief& belief() const override { return belief_; }
 
  private:
+  Before before_;
   std::vector<Pair> pairs_;
-  int motors_, period_ = 0;
+  Nominal nominal_;
+  int period_ = 0;
   Belief belief_;
 };
 
-double LossAfter(const std::vector<Pair>& pairs, const std::string& keys = "task: reach",
-                 const std::vector<GivenRock>& rocks = {}) {
+RunResult After(const Before& before, const std::vector<Pair>& pairs, const std::string& keys,
+                const std::vector<GivenRock>& rocks = {}) {
   CampaignRun run;
-  run.scenario = AtStone(keys, rocks);
+  run.scenario = Resting(before, keys, rocks);
   const System system = Rocky7System({{"given", [&](const Nominal& nominal) {
-                                         return std::make_unique<Given>(
-                                             pairs, static_cast<int>(nominal.motors.size()));
+                                         return std::make_unique<Given>(before, pairs, nominal);
                                        }}});
-  const RunRecord record = Simulate(system, run, {});
+  return Simulate(system, run, {}).result;
+}
+
+double LossOf(const RunResult& result) {
   const std::vector<Column> columns = Measures();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].name == "loss") return record.result.measures.at(i);
+    if (columns[i].name == "loss") return result.measures.at(i);
   }
   return -1.0;
+}
+
+double LossAfter(const std::vector<Pair>& pairs, const std::string& keys = "task: reach",
+                 const std::vector<GivenRock>& rocks = {}) {
+  return LossOf(After(kStone, pairs, keys, rocks));
 }
 
 TEST(JudgedLoss, IsNoneWhileTheTargetIsDetected) {
@@ -125,13 +141,26 @@ TEST(JudgedLoss, IsAnotherStonesInTheWindowWhereThatWasDetected) {
   EXPECT_EQ(LossAfter({{}, {.off_m = 0.1}}), 2.0);
 }
 
+// The instrument is 66 mm wide; the click is two centimetres off the face's middle.
+TEST(JudgedLoss, OfABouldersPointIsAnotherPartOfItOrTheRangeData) {
+  const std::string keys = "task: place, target_up_m: 0.33, face_up_deg: 30";
+  const RunResult near = After(kFace, {{}, {.off_m = 0.03}}, keys);
+  EXPECT_EQ(LossOf(near), 0.0);
+  EXPECT_GT(near.measures.at(1), 0.035);  // further off than a lost stone
+  EXPECT_EQ(near.outcome, "unstable");
+  const RunResult aside = After(kFace, {{}, {.aside_m = 0.1}}, keys);
+  EXPECT_EQ(LossOf(aside), 3.0);
+  EXPECT_EQ(aside.outcome, "lost_target");
+  EXPECT_EQ(LossOf(After(kFace, {{}, {.off_m = -0.15}}, keys)), 2.0);
+}
+
 class StoneInView : public testing::Test {
  protected:
   StoneInView()
       : plant_(scenario_, BuildRun(scenario_, LoadModels(scenario_)),
                std::make_shared<KeptRenderer>()) {}
   Eigen::Vector3d LeftCamera() const { return (plant_.truth().X_WR * plant_.built().front.X_RL).p; }
-  Scenario scenario_ = AtStone("task: reach");
+  Scenario scenario_ = Resting(kStone, "task: reach");
   Rocky7Plant plant_;
 };
 

@@ -25,6 +25,15 @@ TEST(Rocky7Outcome, TheTruthDecidesNotTheClaim) {
   EXPECT_EQ(Of(Verdict::kUnderWay, 0.005, 0.0), Outcome::kTimeout);
 }
 
+TEST(Rocky7Outcome, ATargetIsLostWhereItsLastDetectionIsFurtherOffThanTheBound) {
+  EndOfRun end;
+  end.claimed = Verdict::kGivenUp;
+  end.estimate_off_m = 0.04;
+  EXPECT_EQ(JudgeEnd(end, {}).outcome, Outcome::kLostTarget);
+  EXPECT_EQ(JudgeEnd(end, {.lost_m = 0.041}).outcome, Outcome::kUnstable);
+  EXPECT_EQ(JudgeEnd(end, {.lost_m = 0.039}).outcome, Outcome::kLostTarget);
+}
+
 TEST(Rocky7Outcome, GivingUpWithoutASightingIsSaidToBeThat) {
   EndOfRun end;
   end.claimed = Verdict::kGivenUp;
