@@ -27,7 +27,7 @@ Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.t
   limits_.reach_m = plant.built().keys.reach_m;
   limits_.tilt_rad = plant.built().keys.tilt_rad;
   limits_.most_n = plant.built().keys.most_n;
-  // A detection in space has the error of its height besides.
+  // A detection in space has the error of its height, too.
   if (plant.built().world.boulder) limits_.lost_m = WidthOfTarget(plant.built());
 }
 
