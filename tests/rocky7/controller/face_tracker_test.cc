@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A rover before a face, and what its looks give.
+// A rover before a face, and what its image pairs give.
 struct Watch {
   Nominal nominal = NominalRover();
   FaceStereo stereo{nominal};
