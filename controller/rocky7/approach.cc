@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/ground_attitude.h"
 #include "controller/rocky7/paths_to_point.h"
 
 namespace dockyard::rocky7 {
@@ -25,6 +26,8 @@ constexpr double kOffAtEnd_m = 0.015, kOffShare = 0.1;
 // So much of an arc is left for short parts with images between them: the rover that stands sees
 // best, and a part misses by less than the whole. Assumed, 10-20 cm.
 constexpr double kLast_m = 0.15;
+// Of the arm's reach to a side, what paths leave to it. Assumed, 0.5-0.9.
+constexpr double kOfArm = 0.7;
 // Looks under way in a row without the target, after which the rover stands to look. Assumed, 1-3.
 constexpr int kMostMissesUnderWay = 2;
 // A rover that drives further than this while its processor works on a pair takes pairs at rest
@@ -62,10 +65,22 @@ void Approach::Keep(const TargetSighting& sighting, const ImuSample& attitude) {
   ++belief_.sighting_count;
 }
 
+Eigen::Vector2d Approach::LeftToTarget() const {
+  Eigen::Vector2d left_m = target_.p_RT() - nominal_.plan.p_RP;
+  left_m.y() -= std::clamp(left_m.y(), -options_.arm_aside_m, options_.arm_aside_m);
+  return left_m;
+}
+
 std::vector<Arc> Approach::PathToTarget() const {
   if (options_.backs_up) {
-    const double distance_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
-    return GentleArcsToPoint(target_.p_RT() + aim_m_ - target_.DriftOn(distance_m), nominal_.plan);
+    const Eigen::Vector2d off_m = target_.p_RT() - nominal_.plan.p_RP;
+    Eigen::Vector2d p_RG = target_.p_RT() + aim_m_ - target_.DriftOn(off_m.norm());
+    // The last bit is driven straight where the arm does the rest.
+    if (off_m.norm() < kLast_m) {
+      const double aside_m = kOfArm * options_.arm_aside_m;
+      p_RG.y() -= std::clamp(p_RG.y() - nominal_.plan.p_RP.y(), -aside_m, aside_m);
+    }
+    return GentleArcsToPoint(p_RG, nominal_.plan);
   }
   const ArcLimits limits = GentleLimits(nominal_.plan);
   const auto arc = OneArcTo(target_.p_RT(), nominal_.plan.p_RP);
@@ -88,14 +103,9 @@ Event Approach::Drive(const Arc& part, double yaw_rad) {
   return Event::kPlanned;
 }
 
-ImuSample Approach::OverGround(ImuSample attitude) const {
-  if (options_.ground_as_body) attitude.roll_rad = attitude.pitch_rad = 0.0;
-  return attitude;
-}
-
 TargetSighting Approach::Detect(const StereoImages& images, const SensorFrame& sensed) {
   ExposurePrior prior = target_.At(ExposureOfFront(sensed));
-  prior.attitude = OverGround(prior.attitude);
+  prior.attitude = AgainstGround(prior.attitude, options_.ground_as_body);
   const GroundDetection detection =
       DetectTarget(stereo_, images, prior, nominal_.target_px, memory_);
   target_.Take(prior, detection);
@@ -105,7 +115,7 @@ TargetSighting Approach::Detect(const StereoImages& images, const SensorFrame& s
 
 TargetSighting Approach::Inspect(const StereoImages& images, const SensorFrame& sensed) {
   const Eigen::Vector2d& p_RT = target_.p_RT();
-  const ImuSample attitude = OverGround(sensed.imu);
+  const ImuSample attitude = AgainstGround(sensed.imu, options_.ground_as_body);
   const GroundMaps maps = stereo_.MapsAbout(stereo_.Look(images, attitude), p_RT);
   const TargetSighting sighting = memory_.tracker->Check(maps, {p_RT.x(), p_RT.y(), 0.0});
   Keep(sighting, attitude);
@@ -137,7 +147,7 @@ double Approach::OffAtEnd() const {
 }
 
 Event Approach::Decide(double yaw_rad) {
-  const double off_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
+  const double off_m = LeftToTarget().norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {
     Tell("there", "the point is on the target");
     return Event::kReached;
@@ -173,8 +183,10 @@ Event Approach::Decide(double yaw_rad) {
 // Whether the target's surroundings are worth another pair with another exposure.
 bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   if (!options_.exposes_for_target) return false;
-  const auto at = memory_.begun ? FrontPixel(nominal_, OverGround(attitude), target_.p_RT())
-                                : std::optional(nominal_.target_px);
+  const auto at =
+      memory_.begun
+          ? FrontPixel(nominal_, AgainstGround(attitude, options_.ground_as_body), target_.p_RT())
+          : std::optional(nominal_.target_px);
   const auto more = at ? MoreStops(left, *at, kStoneLevel_px, stops_) : std::nullopt;
   stops_ += more.value_or(0.0);
   return more.has_value();

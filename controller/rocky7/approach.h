@@ -26,6 +26,8 @@ struct ApproachOptions {
   // gone so far; 0: it stands for its looks.
   double look_each_m = 0.0;
   double claim_share = 1.0;  // of the nominal reach, within which the target must be seen
+  // The arm rolls to a target so far to either side of the point.
+  double arm_aside_m = 0.0;
   OdometryOptions odometry{};
   // The motion since the last look by what both show of the ground, where that tells it.
   bool sees_motion = false;
@@ -55,9 +57,13 @@ class Approach {
   /// After a grasp, where the target was detected last. It changes no plan.
   TargetSighting Inspect(const StereoImages& images, const SensorFrame& sensed);
   double exposure_stops() const { return stops_; }
+  /// The target in R, in plan.
+  const Eigen::Vector2d& p_RT() const { return target_.p_RT(); }
   const Belief& belief() const { return belief_; }
 
  private:
+  /// From the point to the target, less what the arm reaches to a side.
+  Eigen::Vector2d LeftToTarget() const;
   /// What is driven until the rover rests: all of an arc or a part of it.
   struct DrivenPart {
     Arc part, whole;         // as the rover itself should go; whole: to the target
@@ -68,7 +74,6 @@ class Approach {
   };
   TargetSighting Detect(const StereoImages& images, const SensorFrame& sensed);
   /// Of the body over the ground as it is taken to be.
-  ImuSample OverGround(ImuSample attitude) const;
   void Keep(const TargetSighting& sighting, const ImuSample& attitude);
   Event DecideBy(const TargetSighting& sighting, double yaw_rad);
   Event Decide(double yaw_rad);

@@ -5,6 +5,7 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/ground_attitude.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -36,6 +37,10 @@ void FaceApproach::Tell(const std::string& phase, const std::string& note) {
   belief_.values = ValuesOf(target_, pairs_, tool_off_rad_);
 }
 
+ImuSample FaceApproach::Attitude(const SensorFrame& sensed) const {
+  return AgainstGround(sensed.imu, options_.ground_as_body);
+}
+
 Event FaceApproach::GiveUp(const std::string& why) {
   Tell(Name(Phase::kGivenUp), why);
   return Event::kFailed;
@@ -44,7 +49,7 @@ Event FaceApproach::GiveUp(const std::string& why) {
 // The first pair is the one that the user clicked in: nothing has moved since.
 Event FaceApproach::Aim(const SensorFrame& sensed) {
   if (target_.begun && !aims_) {
-    const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, sensed.imu)) * target_.p_ET;
+    const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, Attitude(sensed))) * target_.p_ET;
     mast_.Begin(AnglesToWatch(nominal_.mast, p_RT), kAimSpeed, sensed);
     aims_ = true;
     Tell(Name(Phase::kAim), "");
@@ -59,7 +64,8 @@ Event FaceApproach::Aim(const SensorFrame& sensed) {
 bool FaceApproach::TooDark(const GrayImage& left, const SensorFrame& sensed) {
   if (!options_.exposes_for_target) return false;
   FaceView view;
-  view.X_EK = LevelFrame(nominal_, sensed.imu) * SecondLink(nominal_.mast, mast_.Angles(sensed));
+  view.X_EK =
+      LevelFrame(nominal_, Attitude(sensed)) * SecondLink(nominal_.mast, mast_.Angles(sensed));
   const auto at =
       target_.begun ? stereo_.Pixel(view, target_.p_ET, false) : std::optional(nominal_.target_px);
   const auto more = at ? MoreStops(left, *at, kFaceLevel_px, stops_) : std::nullopt;
@@ -91,7 +97,7 @@ Event FaceApproach::DecideBy(const FaceDetection& detection, const SensorFrame& 
   }
   Take(detection);
   Tell(Name(Phase::kObserve), detected_);
-  face_ = FaceNow(nominal_, sensed.imu, target_);
+  face_ = FaceNow(nominal_, Attitude(sensed), target_);
   tool_off_rad_ = ToolOff(nominal_.mast, face_);
   if (pairs_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");
   const FaceDecision next =
@@ -132,7 +138,7 @@ Event FaceApproach::Drive(const SensorFrame& sensed, std::vector<MotorCommand>& 
   MoveOn(since, drive_.driven_m() - before_m, target_);
   if (!drive_.done() || BeginArc(sensed.imu.yaw_rad) == Event::kPlanned) return Event::kNone;
   if (!progress_.driven_all) return Event::kArrived;
-  face_ = FaceNow(nominal_, sensed.imu, target_);
+  face_ = FaceNow(nominal_, Attitude(sensed), target_);
   tool_off_rad_ = ToolOff(nominal_.mast, face_);
   return Reached();
 }
@@ -150,7 +156,7 @@ Event FaceApproach::Observe(const SensorFrame& sensed, Commands& commands) {
   }
   if (const auto taken = work_.Done(sensed.tick)) {
     return DecideBy(DetectFace(stereo_, *MastPair(*taken, rests_since_), mast_.Angles(*taken),
-                               taken->imu, target_, nominal_.target_px, *tracker_),
+                               Attitude(*taken), target_, nominal_.target_px, *tracker_),
                     sensed);
   }
   if (work_.busy()) return Event::kNone;

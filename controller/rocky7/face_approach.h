@@ -32,6 +32,8 @@ class FaceApproach {
   const Belief& belief() const { return belief_; }
 
  private:
+  /// Against the ground.
+  ImuSample Attitude(const SensorFrame& sensed) const;
   bool TooDark(const GrayImage& left, const SensorFrame& sensed);
   void Take(const FaceDetection& detection);
   Event DecideBy(const FaceDetection& detection, const SensorFrame& sensed);

@@ -34,6 +34,8 @@ constexpr double kCarry_rad = -0.35;
 constexpr double kOvershoot_rad = 0.05;
 // A joint has arrived within this. Assumed, 0.01-0.05.
 constexpr double kThere_rad = 0.02;
+// Of the shoulder in a grasp: 4 cm to a side. Assumed, 0.1-0.3.
+constexpr double kMostRoll_rad = 0.2;
 
 }  // namespace
 
@@ -43,8 +45,11 @@ Grasp::Grasp(const Nominal& nominal, bool ground_as_body)
       first_(FirstArmMotor(nominal)),
       commands_(kArmMotorCount) {}
 
-void Grasp::Start(const SensorFrame& sensed, bool weighs) {
+void Grasp::Start(const SensorFrame& sensed, bool weighs, double aside_m) {
   weighs_ = weighs;
+  // The lips, straight below the shoulder's axis on the ground, go aside by the roll's tangent.
+  aside_rad_ = std::clamp(std::atan2(aside_m, ShoulderHeight()), -kMostRoll_rad, kMostRoll_rad);
+  roll_rad_ = 0.0;  // while it is weighed
   note_.clear();
   empty_ = loaded_ = {};
   pitch_rad_ = PitchFor(kAbove_m, sensed);
@@ -64,10 +69,9 @@ double Grasp::Open(const SensorFrame& sensed) const {
 }
 
 double Grasp::PitchFor(double height_m, const SensorFrame& sensed) const {
-  const double shoulder_m = nominal_.arm.p_RA.z() + nominal_.rolling_radius_m;
   const double ground_rad = ground_as_body_ ? sensed.imu.pitch_rad : 0.0;
   return ground_rad +
-         std::asin(std::clamp((shoulder_m - height_m) / nominal_.arm.length_m, -1.0, 1.0));
+         std::asin(std::clamp((ShoulderHeight() - height_m) / nominal_.arm.length_m, -1.0, 1.0));
 }
 
 void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
@@ -77,7 +81,7 @@ void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s
     const NominalMotor& model = nominal_.motors[first_ + i];
     commands_[i] = MoveTo(model, target_rad, std::min(speed_rad_s, model.max_speed_rad_s));
   };
-  set(ArmMotor::kRoll, 0.0, kSwing_rad_s);
+  set(ArmMotor::kRoll, roll_rad_, kSwing_rad_s);
   const double joint_rad = pitch_rad - sensed.imu.pitch_rad;
   const double upright_rad = ground_as_body_ ? -joint_rad : -pitch_rad;
   set(ArmMotor::kPitch, joint_rad, pitch_rad_s);
@@ -88,7 +92,8 @@ void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s
 bool Grasp::Arrived(const SensorFrame& sensed) const {
   const double off_rad =
       std::abs(Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad - pitch_rad_) +
-      std::abs(Open(sensed) - nominal_.arm.open_rad);
+      std::abs(Open(sensed) - nominal_.arm.open_rad) +
+      std::abs(Angle(sensed, ArmMotor::kRoll) - roll_rad_);
   return off_rad < kThere_rad || sensed.tick - since_ > kSwingTime;
 }
 
@@ -144,6 +149,7 @@ Event Grasp::Close(const SensorFrame& sensed) {
 }
 
 Event Grasp::Lift(const SensorFrame& sensed) {
+  roll_rad_ = 0.0;
   const auto takes = static_cast<Tick>((pitch_rad_ - kCarry_rad) / kLift_rad_s / kTickSeconds);
   Turn(sensed, kCarry_rad, kLift_rad_s, 0.0, kLift_rad_s);
   Weigh(sensed, loaded_);
@@ -155,6 +161,7 @@ Event Grasp::Step(Phase phase, const SensorFrame& sensed) {
   switch (phase) {
     case Phase::kDeploy:
     case Phase::kReturn:
+      if (phase == Phase::kReturn || !weighs_) roll_rad_ = aside_rad_;
       Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
       if (!Arrived(sensed)) break;
       event = phase == Phase::kDeploy && weighs_ ? Event::kWeighs : Event::kArrived;

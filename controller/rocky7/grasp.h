@@ -21,8 +21,8 @@ class Grasp {
   /// ground_as_body: the ground under the arm is taken to be parallel to the body, not level.
   explicit Grasp(const Nominal& nominal, bool ground_as_body = false);
 
-  /// From the arm as it is stowed, the rover standing.
-  void Start(const SensorFrame& sensed, bool weighs);
+  /// From the arm as it is stowed, the rover standing. The target is so far to the left of the arm.
+  void Start(const SensorFrame& sensed, bool weighs, double aside_m = 0.0);
   /// One period of kDeploy to kLift; what ends the phase, if anything.
   Event Step(Phase phase, const SensorFrame& sensed);
   /// Of the arm's motors, in their order: braked until the first grasp. Lifted, the arm holds what
@@ -38,6 +38,7 @@ class Grasp {
   double Open(const SensorFrame& sensed) const;
   /// Against the level, with the scoops' axis at this height over the ground.
   double PitchFor(double height_m, const SensorFrame& sensed) const;
+  double ShoulderHeight() const { return nominal_.arm.p_RA.z() + nominal_.rolling_radius_m; }
   /// Pitch against the level; scoops about the ground's normal, open by so much.
   void Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
             double scoop_rad_s);
@@ -53,6 +54,8 @@ class Grasp {
   Tick since_ = 0;         // the phase began
   std::vector<MotorCommand> commands_;
   double pitch_rad_ = 0.0;  // commanded, against the level
+  double aside_rad_ = 0.0;  // roll with which the scoops close over the target
+  double roll_rad_ = 0.0;   // commanded
   double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;
   Tick still_ = 0;
   bool weighs_ = false;

@@ -35,7 +35,7 @@ void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
   belief_ = approach_.belief();
   if (phase_ != Phase::kDeploy) return;
   ++tried_;
-  grasp_.Start(sensed, options_.inspects);
+  grasp_.Start(sensed, options_.inspects, approach_.p_RT().y());
 }
 
 void Mission::StepGrasp(const SensorFrame& sensed) {

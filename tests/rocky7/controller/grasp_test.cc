@@ -12,10 +12,10 @@
 namespace dockyard::rocky7 {
 namespace {
 
-/// Drives that go to their targets, but for what the test puts in their way.
-class ArmStand {
+/// Drives that go to their targets, unless the test blocks them.
+class ArmRig {
  public:
-  explicit ArmStand(const Nominal& nominal, bool ground_as_body = false)
+  explicit ArmRig(const Nominal& nominal, bool ground_as_body = false)
       : nominal_(nominal), grasp(nominal, ground_as_body) {
     rad_[1] = -1.4;
     rad_[2] = rad_[3] = -1.57;
@@ -30,7 +30,7 @@ class ArmStand {
       frame.motors[8 + i] = {std::llround(rad_[i] / nominal_.motors[8 + i].rad_per_count),
                              current_a[i]};
     }
-    if (tick_ == 0) grasp.Start(frame, weighs);
+    if (tick_ == 0) grasp.Start(frame, weighs, aside_m);
     if (!lifted()) Follow(Task::kGrasp, grasp.Step(phase, frame), phase);
     const std::vector<MotorCommand>& commands = grasp.commands();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -51,7 +51,9 @@ class ArmStand {
   double lips_rad() const { return rad_[1] + 0.5 * (rad_[2] + rad_[3]); }
   bool lifted() const { return phase == Phase::kLifted; }
   /// Of the scoops' axis over ground that is parallel to the body.
-  double height_m() const { return 0.13 + 0.07 - 0.32 * std::sin(rad_[1]); }
+  double height_m() const { return 0.13 + 0.07 - 0.32 * std::sin(rad_[1]) * std::cos(rad_[0]); }
+  /// Of the lips, 5 cm below the axis, to the left of the arm.
+  double lips_aside_m() const { return (0.32 * std::sin(rad_[1]) + 0.05) * std::sin(rad_[0]); }
   double seconds() const { return static_cast<double>(tick_) * kTickSeconds; }
 
  private:
@@ -64,64 +66,83 @@ class ArmStand {
   Phase phase = Phase::kDeploy;
   bool weighs = false;
   double pitch_rad = 0.0;  // of the body
+  double aside_m = 0.0;    // of the target
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
   bool resists = false;
 };
 
 TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
-  ArmStand stand(NominalRover());
+  ArmRig rig(NominalRover());
   double lowest_m = 1.0;
-  while (!stand.lifted() && stand.seconds() < 60.0) {
-    stand.Step();
-    lowest_m = std::min(lowest_m, stand.height_m());
+  while (!rig.lifted() && rig.seconds() < 60.0) {
+    rig.Step();
+    lowest_m = std::min(lowest_m, rig.height_m());
   }
-  EXPECT_TRUE(stand.lifted());
+  EXPECT_TRUE(rig.lifted());
   EXPECT_NEAR(lowest_m, 0.03, 0.003);
-  EXPECT_GT(stand.height_m(), 0.28);
-  EXPECT_EQ(stand.grasp.note(), "the scoops are shut");
+  EXPECT_GT(rig.height_m(), 0.28);
+  EXPECT_EQ(rig.grasp.note(), "the scoops are shut");
 }
 
 // On a slope of 10 deg, downhill and uphill.
 TEST(Grasp, GoesDownToGroundThatIsParallelToTheBody) {
   for (const double pitch_rad : {0.17, -0.17}) {
-    ArmStand stand(NominalRover(), true);
-    stand.pitch_rad = pitch_rad;
+    ArmRig rig(NominalRover(), true);
+    rig.pitch_rad = pitch_rad;
     double lowest_m = 1.0;
-    while (!stand.lifted() && stand.seconds() < 60.0) {
-      stand.Step();
-      lowest_m = std::min(lowest_m, stand.height_m());
+    while (!rig.lifted() && rig.seconds() < 60.0) {
+      rig.Step();
+      lowest_m = std::min(lowest_m, rig.height_m());
     }
-    EXPECT_TRUE(stand.lifted());
+    EXPECT_TRUE(rig.lifted());
     EXPECT_NEAR(lowest_m, 0.03, 0.003) << pitch_rad;
     // The lips are below the axis, upright on the ground.
-    EXPECT_NEAR(stand.lips_rad(), 0.0, 1e-9);
+    EXPECT_NEAR(rig.lips_rad(), 0.0, 1e-9);
+  }
+}
+
+// With the roll, turned about the body's x axis, the lips come down on a target to a side; the arm
+// carries it level.
+TEST(Grasp, RollsTheArmToATargetAside) {
+  for (const double aside_m : {0.03, -0.02}) {
+    ArmRig rig(NominalRover());
+    rig.aside_m = aside_m;
+    double closest_m = 1.0, lowest_m = 1.0;
+    while (!rig.lifted() && rig.seconds() < 60.0) {
+      rig.Step();
+      if (rig.height_m() < lowest_m) closest_m = std::abs(rig.lips_aside_m() - aside_m);
+      lowest_m = std::min(lowest_m, rig.height_m());
+    }
+    EXPECT_LT(closest_m, 0.004) << aside_m;
+    EXPECT_NEAR(lowest_m, 0.03, 0.005);
+    EXPECT_NEAR(rig.lips_aside_m(), 0.0, 1e-9);
   }
 }
 
 TEST(Grasp, StopsGoingDownWhereThePitchMotorsCurrentRises) {
-  ArmStand stand(NominalRover());
+  ArmRig rig(NominalRover());
   double lowest_m = 1.0;
-  while (stand.phase != Phase::kClose && stand.seconds() < 60.0) {
-    stand.current_a[1] = stand.height_m() < 0.06 ? 1.2 : 0.5;
-    stand.Step();
-    lowest_m = std::min(lowest_m, stand.height_m());
+  while (rig.phase != Phase::kClose && rig.seconds() < 60.0) {
+    rig.current_a[1] = rig.height_m() < 0.06 ? 1.2 : 0.5;
+    rig.Step();
+    lowest_m = std::min(lowest_m, rig.height_m());
   }
   EXPECT_NEAR(lowest_m, 0.06, 0.004);
 }
 
 TEST(Grasp, RaisesTheArmWhileScoopsThatResistClose) {
-  ArmStand stand(NominalRover());
-  stand.least_open_rad = 0.5;
+  ArmRig rig(NominalRover());
+  rig.least_open_rad = 0.5;
   double lowest_m = 1.0, at_lift_m = 0.0;
-  while (!stand.lifted() && stand.seconds() < 60.0) {
-    stand.current_a[2] = stand.current_a[3] = stand.resists ? 1.1 : 0.1;
-    stand.Step();
-    lowest_m = std::min(lowest_m, stand.height_m());
-    if (stand.phase == Phase::kClose) at_lift_m = stand.height_m();
+  while (!rig.lifted() && rig.seconds() < 60.0) {
+    rig.current_a[2] = rig.current_a[3] = rig.resists ? 1.1 : 0.1;
+    rig.Step();
+    lowest_m = std::min(lowest_m, rig.height_m());
+    if (rig.phase == Phase::kClose) at_lift_m = rig.height_m();
   }
-  EXPECT_TRUE(stand.lifted());
-  EXPECT_EQ(stand.grasp.note(), "the scoops came to rest");
+  EXPECT_TRUE(rig.lifted());
+  EXPECT_EQ(rig.grasp.note(), "the scoops came to rest");
   // 0.12 rad of raising, at the arm's pitch.
   EXPECT_NEAR(at_lift_m - lowest_m, 0.12 * 0.32 * 0.87, 0.008);
 }
@@ -129,29 +150,29 @@ TEST(Grasp, RaisesTheArmWhileScoopsThatResistClose) {
 // The arm's motor draws more once the scoops have closed.
 TEST(Grasp, WeighsWhatTheScoopsHaveBroughtUp) {
   for (const bool holds : {true, false}) {
-    ArmStand stand(NominalRover());
-    stand.weighs = true;
+    ArmRig rig(NominalRover());
+    rig.weighs = true;
     bool closed = false;
-    while (!stand.lifted() && stand.seconds() < 60.0) {
-      closed = closed || stand.phase == Phase::kClose;
-      stand.current_a[1] = closed && holds ? 0.54 : 0.5;
-      stand.Step();
+    while (!rig.lifted() && rig.seconds() < 60.0) {
+      closed = closed || rig.phase == Phase::kClose;
+      rig.current_a[1] = closed && holds ? 0.54 : 0.5;
+      rig.Step();
     }
-    EXPECT_TRUE(stand.lifted());
-    EXPECT_EQ(stand.grasp.load(), holds ? Load::kStone : Load::kNone);
+    EXPECT_TRUE(rig.lifted());
+    EXPECT_EQ(rig.grasp.load(), holds ? Load::kStone : Load::kNone);
   }
 }
 
 // A motor whose current reads zero feels neither stone nor ground: nothing else tells.
 TEST(Grasp, WithoutCurrentsNeverRaises) {
-  ArmStand stand(NominalRover());
-  stand.least_open_rad = 0.5;
-  stand.current_a = {};
+  ArmRig rig(NominalRover());
+  rig.least_open_rad = 0.5;
+  rig.current_a = {};
   double lowest_m = 1.0, at_lift_m = 0.0;
-  while (!stand.lifted() && stand.seconds() < 60.0) {
-    stand.Step();
-    lowest_m = std::min(lowest_m, stand.height_m());
-    if (stand.phase == Phase::kClose) at_lift_m = stand.height_m();
+  while (!rig.lifted() && rig.seconds() < 60.0) {
+    rig.Step();
+    lowest_m = std::min(lowest_m, rig.height_m());
+    if (rig.phase == Phase::kClose) at_lift_m = rig.height_m();
   }
   EXPECT_NEAR(at_lift_m, lowest_m, 1e-3);
 }
