@@ -15,7 +15,7 @@
 namespace dockyard::rocky7 {
 
 /// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
-/// What a spectator's log calls the loose stones of the field.
+/// The name of a loose stone of the field in a spectator's log.
 std::string LooseStoneName(std::size_t number);
 
 class SceneBuilder {

@@ -10,7 +10,8 @@
 namespace dockyard::rocky7 {
 namespace {
 
-constexpr double kMargin_px = 10.0;
+// Of the image's width, to its border. Assumed, 0.01-0.03.
+constexpr double kMargin = 1.0 / 64.0;
 // Off the face's plane, beyond its roughness, is another surface. Assumed, 0.5-2 mm and 2-3 sigmas.
 constexpr double kOffFace_m = 1e-3, kRoughnessSigmas = 2.0;
 // Who misses the face so often does not see it. Assumed, 10-100.
@@ -34,7 +35,7 @@ UserClick ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& tr
   const Pose3 X_GW = Inverse(SiteInWorld(run.world.X_WG, run.world.slope));
   const Pose3 X_GC = X_GW * (by_mast ? truth.X_WK : truth.X_WR) * rig.X_RL;
   const auto middle = rig.left.Project(Inverse(X_GC) * truth.X_GT.p);
-  if (!middle || !rig.left.Sees(*middle, kMargin_px)) {
+  if (!middle || !rig.left.Sees(*middle, kMargin * rig.left.width)) {
     throw ConfigError(scenario.start_place + ": expected a start from where the " +
                       (by_mast ? "mast's" : "front") + " cameras see the target");
   }

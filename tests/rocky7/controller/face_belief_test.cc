@@ -100,7 +100,7 @@ TEST(FaceBelief, NormalsAreFusedByTheirSigmas) {
   }
 }
 
-// The mast looks over what is right before the wheels.
+// The mast's cameras do not show the ground right before the wheels.
 TEST(FaceBelief, KeepsObstaclesThatTheViewDoesNotHoldAndMovesThemWithTheTarget) {
   const Nominal nominal = NominalRover();
   const FaceStereo stereo(nominal);

@@ -88,7 +88,7 @@ TEST(FaceStereo, FindsAClickWithinAFewCentimetresFromSixMetres) {
   ASSERT_TRUE(seen.normal_E);
 }
 
-// The way of an approach: from 6 m to where the instrument is placed, 30 % of what is left a step.
+// An approach: from 6 m to where the instrument is placed, 30 % of what is left a step.
 // Odometry is off by 3 % of each step and 0.3 deg.
 TEST(PatchTracker, KeepsAPointOfAFaceWithinMillimetresAllTheWay) {
   for (const double up_deg : {15.0, 45.0}) {

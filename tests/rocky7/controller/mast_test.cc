@@ -43,7 +43,7 @@ TEST(Mast, AnglesToAPointBringTheFaceThereWithTheElbowUp) {
   for (int i = 0; i < 2000; ++i) {
     const MastAngles angles{roll(random), shoulder(random), elbow(random)};
     const Eigen::Vector3d p = FaceCentre(mast, angles);
-    // Beyond the shoulder the roll would be the other way round.
+    // Beyond the shoulder the roll would be the opposite.
     const Eigen::Vector2d out = RotZ(-angles[0]).topLeftCorner<2, 2>() * (p - mast.p_RM).head<2>();
     if (out.x() < 0.01) continue;
     const auto found = AnglesTo(mast, p);

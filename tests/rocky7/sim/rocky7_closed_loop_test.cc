@@ -86,7 +86,7 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
   EXPECT_LT(MeasureOf(record, "point_off_m"), 0.012);
   EXPECT_GT(MeasureOf(record, "rise_m"), 0.1);
-  // It looks while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12 cm.
+  // It takes images while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12 cm.
   EXPECT_GE(looks->under_way, 3);
   EXPECT_GE(looks->standing, 2);
 }
@@ -115,7 +115,7 @@ TEST(Rocky7ClosedLoop, OursGraspsOnASlope) {
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
 }
 
-// Two metres to a boulder whose face looks past the rover, so that it must come by two arcs.
+// Two metres to a boulder whose face points past the rover, so that it must come by two arcs.
 TEST(Rocky7ClosedLoop, OursPlacesItsInstrumentOnAFace) {
   const System system = Rocky7System({{"dockyard", MakeDockyardController}});
   const RunRecord record =

@@ -43,7 +43,7 @@ struct Seen {
   double away_m = 0.0;   // measured point from the one that was clicked on
 };
 
-// A look at a face from so far, its middle to R; nominal cameras, the mast as it watches.
+// An image pair of a face from so far, its middle to R; nominal cameras, the mast as it watches.
 Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
   Scenario scenario;
   scenario.name = "test";

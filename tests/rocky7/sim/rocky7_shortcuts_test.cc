@@ -94,7 +94,7 @@ TEST(Rocky7Shortcuts, FindsAStoneOfTheSoilsOwnColourWithoutStains) {
   EXPECT_EQ(plain.outcome, "on_target");
 }
 
-// All the world of one colour, from the second look on: nothing but the pictures tells where the
+// All the world of one colour, from the second image pair on: the images alone tell where the
 // stone is.
 TEST(Rocky7Shortcuts, InPicturesOfOneGreyItLosesTheStone) {
   int pictures = 0;

@@ -53,7 +53,7 @@ TEST(Rocky7World, SameCallsGiveTheSameBits) {
   EXPECT_LT(a.truth().X_GR.x, 1.19);
 }
 
-// The stone stands in the way of the left wheels, 15 cm ahead of the front one.
+// The stone lies before the left wheels, 15 cm ahead of the front one.
 WorldSetup WithStone(const std::string& soil, double height_m) {
   WorldSetup setup = AtStart(soil);
   const ConvexBody stone = RockShape({2.0 * height_m, height_m}, 0.1, 0.0, 3);
@@ -110,7 +110,7 @@ TEST(Rocky7World, NoticesAStoneUnderTheBody) {
   EXPECT_TRUE(world.truth().on_stone);
 }
 
-// A boulder whose face looks along x, and the rover before it, so that its tool, level, is aimed at
+// A boulder whose face points along x, and the rover before it, so that its tool, level, is aimed at
 // the face's middle 0.45 m up: shoulder 11.5 deg up, elbow as much down.
 WorldSetup BeforeBoulder(double stand_off_m) {
   WorldSetup setup = AtStart();
@@ -141,7 +141,7 @@ TEST(Rocky7World, TheInstrumentTouchesTheFaceWhereTheMastBringsIt) {
     EXPECT_NEAR(truth.p_GF.z(), 0.45, 0.02);
     EXPECT_EQ(truth.face_n > 0.0, touches);
     if (touches) {
-      // The mast gives way by 500 N/m, the body and its wheels a little.
+      // The mast bends by 500 N/m, the body and its wheels a little.
       EXPECT_TRUE(truth.closed[0] || truth.closed[1] || truth.closed[2]);
       EXPECT_NEAR(truth.face_n, 5.0, 2.0);
       EXPECT_LT(truth.most_face_n, 10.0);
