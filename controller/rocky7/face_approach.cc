@@ -5,7 +5,6 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/exposure.h"
-#include "controller/rocky7/ground_attitude.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -37,8 +36,13 @@ void FaceApproach::Tell(const std::string& phase, const std::string& note) {
   belief_.values = ValuesOf(target_, pairs_, tool_off_rad_);
 }
 
-ImuSample FaceApproach::Attitude(const SensorFrame& sensed) const {
-  return AgainstGround(sensed.imu, options_.ground_as_body);
+Eigen::Vector2d FaceApproach::GroundRise(const ImuSample& attitude) const {
+  return options_.learns_slope ? ground_.Rise(attitude) : Eigen::Vector2d(0.0, 0.0);
+}
+
+// The face as a body parallel to the ground would have it: so the rover will be at the goal.
+FaceAt FaceApproach::FaceOverGround(const ImuSample& attitude) const {
+  return FaceNow(nominal_, options_.learns_slope ? ground_.Parallel(attitude) : attitude, target_);
 }
 
 Event FaceApproach::GiveUp(const std::string& why) {
@@ -49,7 +53,7 @@ Event FaceApproach::GiveUp(const std::string& why) {
 // The first pair is the one that the user clicked in: nothing has moved since.
 Event FaceApproach::Aim(const SensorFrame& sensed) {
   if (target_.begun && !aims_) {
-    const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, Attitude(sensed))) * target_.p_ET;
+    const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, sensed.imu)) * target_.p_ET;
     mast_.Begin(AnglesToWatch(nominal_.mast, p_RT), kAimSpeed, sensed);
     aims_ = true;
     Tell(Name(Phase::kAim), "");
@@ -64,8 +68,7 @@ Event FaceApproach::Aim(const SensorFrame& sensed) {
 bool FaceApproach::TooDark(const GrayImage& left, const SensorFrame& sensed) {
   if (!options_.exposes_for_target) return false;
   FaceView view;
-  view.X_EK =
-      LevelFrame(nominal_, Attitude(sensed)) * SecondLink(nominal_.mast, mast_.Angles(sensed));
+  view.X_EK = LevelFrame(nominal_, sensed.imu) * SecondLink(nominal_.mast, mast_.Angles(sensed));
   const auto at =
       target_.begun ? stereo_.Pixel(view, target_.p_ET, false) : std::optional(nominal_.target_px);
   const auto more = at ? MoreStops(left, *at, kFaceLevel_px, stops_) : std::nullopt;
@@ -97,11 +100,11 @@ Event FaceApproach::DecideBy(const FaceDetection& detection, const SensorFrame& 
   }
   Take(detection);
   Tell(Name(Phase::kObserve), detected_);
-  face_ = FaceNow(nominal_, Attitude(sensed), target_);
+  face_ = FaceNow(nominal_, sensed.imu, target_);
   tool_off_rad_ = ToolOff(nominal_.mast, face_);
   if (pairs_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");
   const FaceDecision next =
-      DecideNext(nominal_, options_, target_, face_, tool_off_rad_, progress_);
+      DecideNext(nominal_, options_, target_, FaceOverGround(sensed.imu), tool_off_rad_, progress_);
   if (!next.why_not.empty()) return GiveUp(next.why_not);
   if (!next.arcs.empty()) return Begin(next.arcs, sensed.imu.yaw_rad);
   return Reached();
@@ -135,10 +138,11 @@ Event FaceApproach::Drive(const SensorFrame& sensed, std::vector<MotorCommand>& 
   const double before_m = drive_.driven_m();
   motors = drive_.Step(sensed);
   const Pose2 since = odometry_.Step(drive_.driven_m(), drive_.moved(), sensed.imu);
-  MoveOn(since, drive_.driven_m() - before_m, target_);
+  MoveOn(since, drive_.driven_m() - before_m, GroundRise(sensed.imu), target_);
+  ground_.Add(sensed.imu, drive_.driven_m() - before_m);
   if (!drive_.done() || BeginArc(sensed.imu.yaw_rad) == Event::kPlanned) return Event::kNone;
   if (!progress_.driven_all) return Event::kArrived;
-  face_ = FaceNow(nominal_, Attitude(sensed), target_);
+  face_ = FaceNow(nominal_, sensed.imu, target_);
   tool_off_rad_ = ToolOff(nominal_.mast, face_);
   return Reached();
 }
@@ -155,9 +159,12 @@ Event FaceApproach::Observe(const SensorFrame& sensed, Commands& commands) {
     if (!TooDark(images->left, sensed)) work_.Begin(sensed);
   }
   if (const auto taken = work_.Done(sensed.tick)) {
-    return DecideBy(DetectFace(stereo_, *MastPair(*taken, rests_since_), mast_.Angles(*taken),
-                               Attitude(*taken), target_, nominal_.target_px, *tracker_),
-                    sensed);
+    ground_.Add(taken->imu, 0.0);
+    FaceDetection detection =
+        DetectFace(stereo_, *MastPair(*taken, rests_since_), mast_.Angles(*taken), taken->imu,
+                   target_, nominal_.target_px, *tracker_);
+    detection.view.ground_rise = GroundRise(taken->imu);
+    return DecideBy(detection, sensed);
   }
   if (work_.busy()) return Event::kNone;
   const RequestState state = StateOf(request_, kMastPatience, sensed.tick);

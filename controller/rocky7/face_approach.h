@@ -11,6 +11,7 @@
 #include "controller/rocky7/arc_drive.h"
 #include "controller/rocky7/face_decision.h"
 #include "controller/rocky7/face_perception.h"
+#include "controller/rocky7/ground_attitude.h"
 #include "controller/rocky7/mast_drive.h"
 #include "controller/rocky7/pair_work.h"
 #include "controller/rocky7/phases.h"
@@ -32,8 +33,8 @@ class FaceApproach {
   const Belief& belief() const { return belief_; }
 
  private:
-  /// Against the ground.
-  ImuSample Attitude(const SensorFrame& sensed) const;
+  Eigen::Vector2d GroundRise(const ImuSample& attitude) const;
+  FaceAt FaceOverGround(const ImuSample& attitude) const;
   bool TooDark(const GrayImage& left, const SensorFrame& sensed);
   void Take(const FaceDetection& detection);
   Event DecideBy(const FaceDetection& detection, const SensorFrame& sensed);
@@ -50,6 +51,7 @@ class FaceApproach {
   ArcDrive drive_;
   MastDrive mast_;
   Odometry odometry_;
+  GroundPlane ground_;
   FaceBelief target_;
   FaceProgress progress_;
   FaceAt face_;

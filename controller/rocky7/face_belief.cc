@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/rocky7/stands_out.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
@@ -29,8 +31,10 @@ void TakeNormal(const FaceSighting& sighting, FaceBelief& belief) {
 
 bool FaceBelief::IsNormalSure() const { return normal_E && normal_sigma_rad < kNormalSure_rad; }
 
-void MoveOn(const Pose2& since, double driven_m, FaceBelief& belief) {
+void MoveOn(const Pose2& since, double driven_m, const Eigen::Vector2d& ground_rise,
+            FaceBelief& belief) {
   const Pose2 back = Inverse(since);
+  belief.p_ET.z() -= ground_rise.x() * since.x + ground_rise.y() * since.y;
   belief.p_ET.head<2>() = back * Eigen::Vector2d(belief.p_ET.head<2>());
   if (belief.normal_E) belief.normal_E = RotZ(-since.heading) * *belief.normal_E;
   for (Eigen::Vector2d& p_E : belief.obstacles_E) p_E = back * p_E;

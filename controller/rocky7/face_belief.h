@@ -23,8 +23,9 @@ struct FaceBelief {
   bool IsNormalSure() const;
 };
 
-/// The rover went on by this, and drove that far.
-void MoveOn(const Pose2& since, double driven_m, FaceBelief& belief);
+/// The rover went on by this, and drove that far, over ground that rises so along x and y.
+void MoveOn(const Pose2& since, double driven_m, const Eigen::Vector2d& ground_rise,
+            FaceBelief& belief);
 /// The target was detected: it is there now, and the face's normal is known better.
 void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view,
           const FaceSighting& sighting, FaceBelief& belief);

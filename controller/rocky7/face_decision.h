@@ -11,8 +11,8 @@ namespace dockyard::rocky7 {
 
 struct FaceApproachOptions {
   FrontEnd front_end = FrontEnd::kSandAndStones;
-  bool ground_as_body = false;  // as in approach.h
-  double image_share = 0.1;  // of the distance that is left, then an image pair follows
+  bool learns_slope = false;  // the ground ahead has the slope that the body had; else it is level
+  double image_share = 0.1;   // of the distance that is left, then an image pair follows
   // The steps' bounds. The paper's are its share alone.
   double least_step_m = 0.03, most_step_m = 1e9;
   OdometryOptions odometry{};

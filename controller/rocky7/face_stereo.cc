@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "controller/stereo/plain_parts.h"
@@ -29,15 +28,6 @@ constexpr double kRange_px = 0.8;
 // Part of the face whose plane is taken: a can's radius near by, and from afar what has enough
 // pixels. Assumed, 3-4 cm, 3-5 % of the range and 8-15 cm.
 constexpr double kFaceNear_m = 0.035, kFaceShare = 0.035, kFaceFar_m = 0.1;
-// What stands out: this high over the ground and no higher (assumed, 5-8 cm and 0.6-1.5 m), in
-// cells of such a side (assumed, 3-5 cm), of which this share is seen: a few wrong pixels are no
-// obstacle (assumed, 0.05-0.2).
-constexpr double kStandsOut_m = 0.06, kNoHigher_m = 1.2, kCell_m = 0.04, kAboutTarget_m = 0.8;
-constexpr double kCellShare = 0.1;
-constexpr int kTargetCells = 3;  // to either side of the target; assumed, 2-4
-// From further away heights over the ground are not sure enough. Assumed, 2-3 m.
-constexpr double kStandsOutWithin_m = 2.5;
-
 MatchSettings SearchAbout(const PlaneDisparity& expected, int either_side_px) {
   return {.matcher = Matcher::kSemiGlobal,
           .block_px = kFaceBlock_px,
@@ -157,45 +147,6 @@ std::optional<StereoImages> MastPair(const SensorFrame& frame, Tick not_before) 
   const GrayImage* right = GrayImageOf(frame, kMastRight);
   if (left == nullptr || right == nullptr) return std::nullopt;
   return StereoImages{*left, *right};
-}
-
-std::vector<Eigen::Vector2d> StandsOut(const FaceView& view, const Eigen::Vector2d& p_E) {
-  const double away_m = (view.pair.X_RC.p.head<2>() - p_E).norm();
-  if (away_m > kStandsOutWithin_m) return {};
-  const double across_px = view.pair.focal_px * kCell_m / std::max(0.3, away_m);
-  using Cell = std::pair<int, int>;
-  std::map<Cell, int> cells;
-  for (int v = 0; v < view.disparities.height; ++v) {
-    for (int u = 0; u < view.disparities.width; ++u) {
-      const double disparity_px = view.disparities.at(u, v);
-      if (!(disparity_px > 0.0)) continue;
-      const Eigen::Vector3d p = view.pair.X_RC * view.pair.Point(u, v, disparity_px);
-      const Eigen::Vector2d from = p.head<2>() - p_E;
-      if (p.z() < kStandsOut_m || p.z() > kNoHigher_m || from.norm() > kAboutTarget_m) continue;
-      ++cells[{static_cast<int>(std::floor(from.x() / kCell_m)),
-               static_cast<int>(std::floor(from.y() / kCell_m))}];
-    }
-  }
-  std::erase_if(cells,
-                [&](const auto& cell) { return cell.second < kCellShare * across_px * across_px; });
-  // The boulder is what hangs together with the target; what stands alone is a wrong range.
-  std::vector<Cell> found;
-  const auto take = [&](const Cell& cell) {
-    if (cells.erase(cell) > 0) found.push_back(cell);
-  };
-  for (int x = -kTargetCells; x < kTargetCells; ++x) {
-    for (int y = -kTargetCells; y < kTargetCells; ++y) take({x, y});
-  }
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) take({found[i].first + dx, found[i].second + dy});
-    }
-  }
-  std::vector<Eigen::Vector2d> middles;
-  for (const Cell& cell : found) {
-    middles.push_back(p_E + kCell_m * Eigen::Vector2d(cell.first + 0.5, cell.second + 0.5));
-  }
-  return middles;
 }
 
 double RangeSigma(const RectifiedPair& pair, double range_m) {

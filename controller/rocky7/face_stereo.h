@@ -22,6 +22,7 @@ struct FaceView {
   StereoImages images;  // rectified
   Disparities disparities;
   Pose3 X_ER, X_EK;
+  Eigen::Vector2d ground_rise{0, 0};  // of the ground's plane along x and y of E
 };
 
 class FaceStereo {
@@ -52,10 +53,6 @@ class FaceStereo {
 
 /// The mast's pair of a frame; none unless it has both pictures, not taken before that tick.
 std::optional<StereoImages> MastPair(const SensorFrame& frame, Tick not_before);
-
-/// What stands higher over the ground than wheels and body pass, about a place, in E's plan: the
-/// middles of the cells of a raster in which it is seen.
-std::vector<Eigen::Vector2d> StandsOut(const FaceView& view, const Eigen::Vector2d& p_E);
 
 /// One sigma of a range by the pair, along the ray.
 double RangeSigma(const RectifiedPair& pair, double range_m);

@@ -15,6 +15,8 @@ namespace {
 constexpr double kAcrossShare = 0.03, kLifts_m = 0.015, kPoints_rad = Radians(0.3);
 // Half the window, in sigmas; at least and at most. Assumed, 3-4, 6-12 and 40-80 px.
 constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
+// After misses all is so many times wider at most, less one. Assumed, 1-3.
+constexpr int kMostWider = 2;
 // A range that differs from the prediction by more sigmas is another surface. Assumed, 3-5.
 constexpr double kRangeSigmas = 3.5;
 // Beside the target the face may be so much nearer or farther. Assumed, 5-15 cm.
@@ -125,6 +127,15 @@ FaceSighting PatchTracker::Begin(const FaceStereo& stereo, const FaceView& view,
 
 FaceSighting PatchTracker::Follow(const FaceStereo& stereo, const FaceView& view,
                                   const FaceExpected& target) {
+  const FaceSighting seen = Search(stereo, view, target);
+  missed_ = seen.found ? 0 : missed_ + 1;
+  return seen;
+}
+
+// Each miss says that odometry is off by more than was thought.
+FaceSighting PatchTracker::Search(const FaceStereo& stereo, const FaceView& view,
+                                  const FaceExpected& target) {
+  const double wider = 1.0 + std::min(missed_, kMostWider);
   // The older picture's E in the present one: turned, and so that its target lies where odometry
   // has it since the last look.
   const double turned_rad = turned_rad_ + target.turned_rad;
@@ -132,14 +143,15 @@ FaceSighting PatchTracker::Follow(const FaceStereo& stereo, const FaceView& view
   const Pose3 X_EO{R_turn, target.p_E - R_turn * p_ET_};
   const Pose3 X_NC = Inverse(view.pair.X_RC) * X_EO * X_EC_;
   const double range_m = (X_NC * patch_.p_C).norm();
-  const double off_m = std::hypot(kSlipSigma * target.way_m, kLifts_m);
+  const double off_m = wider * std::hypot(kSlipSigma * target.way_m, kLifts_m);
   // What it is off along the way moves the picture only where it is not looked along the way.
   const Eigen::Vector3d ray_E = (target.p_E - view.pair.X_RC.p).normalized();
   const double aside = ray_E.tail<2>().norm();
   const double across_m =
       std::hypot(kSlipSigma * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
-  const double sigma_px = view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
-  const double window_px = std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, kMostWindow_px);
+  const double sigma_px = wider * view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
+  const double window_px =
+      std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, wider * kMostWindow_px);
   const PatchFound found =
       FindPatch(patch_, view.images.left, X_NC, sigma_px, window_px, settings_);
   if (found.verdict != PatchVerdict::kFound)

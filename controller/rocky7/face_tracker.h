@@ -53,6 +53,7 @@ class PatchTracker final : public FaceTracker {
   static FaceSighting Measure(const FaceStereo& stereo, const FaceView& view,
                               const Eigen::Vector2d& pixel);
   void Keep(const FaceView& view, const FaceSighting& seen);
+  FaceSighting Search(const FaceStereo& stereo, const FaceView& view, const FaceExpected& target);
 
   FacePatchSettings settings_;
   FacePatch patch_;
@@ -60,6 +61,7 @@ class PatchTracker final : public FaceTracker {
   Eigen::Vector3d p_ET_{0, 0, 0};  // the target in that
   double turned_rad_ = 0.0;        // of the rover, since then
   double range_m_ = 0.0;           // by the last look that found it
+  int missed_ = 0;                 // image pairs in a row that did not
 };
 
 /// The paper's: the highest cell of a window (controller/tracking/local_maximum.h).

@@ -42,7 +42,8 @@ void Mission::StepGrasp(const SensorFrame& sensed) {
   On(grasp_.Step(phase_, sensed));
   Tell(grasp_.note());
   if (phase_ != Phase::kLifted) return;
-  On(options_.inspects && grasp_.load() != Load::kStone ? Event::kUnsure : Event::kHeld);
+  // Sand in the scoops weighs like a stone.
+  On(options_.inspects ? Event::kUnsure : Event::kHeld);
   request_ = {};
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kAway_m = 0.3;
 
 // Larger steps than the paper's. Assumed: 0.15-0.4, 8-20 cm and 0.4-1 m; slip as approach.h has it.
-constexpr FaceApproachOptions kOurs{.ground_as_body = true,
+constexpr FaceApproachOptions kOurs{.learns_slope = true,
                                     .image_share = 0.3,
                                     .least_step_m = 0.12,
                                     .most_step_m = 0.6,

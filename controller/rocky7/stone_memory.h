@@ -35,7 +35,8 @@ class StoneMemory {
   /// From the axes and the place X_ET that the target had before into E.
   void Turn(const Pose2& X_ET);
   void Shift(const Eigen::Vector2d& by_m);
-  /// Takes the stone that the click means, unless the target is settled.
+  /// Takes the stone that the click means, unless the target is settled. A settled target that
+  /// images do not show again was a part of the stone next to it: that is taken.
   void Choose();
   void Settle() { settled_ = true; }
   bool HasSeenTargetWell() const;
@@ -45,10 +46,12 @@ class StoneMemory {
  private:
   double Likelihood(const FieldStone& stone) const;
   bool IsOnRay(const FieldStone& stone) const;
+  void TakeWhole();
 
   std::vector<FieldStone> stones_;
   ClickRay click_;
   bool settled_ = false;
+  int missed_ = 0;  // image pairs in a row without the target
 };
 
 }  // namespace dockyard::rocky7

@@ -102,7 +102,7 @@ System Rocky7System(const std::vector<NamedController<Nominal>>& controllers) {
   system.example_files.scenario = "scenarios/rocky7_reach.yaml";
   system.example_files.robot = "models/rocky7/rocky7.yaml";
   system.example_files.reproduction = "rocky7";
-  system.example_files.start_images = "8972a22f4eab2057";
+  system.example_files.start_images = "2f769a5b8b78c191";
   system.reproductions = {
       {"rocky7", "scenarios/rocky7_published.yaml",
        "The 25 grasps and 14 tracking sequences of Nesnas, Maimone and Das (2000), "

@@ -41,7 +41,7 @@ TEST(FaceBelief, MovesWithTheRoverAsARigidScene) {
   for (const Arc& arc : {Arc{0.4, 0.2}, Arc{-0.1, 0.0}, Arc{0.3, -0.5}}) {
     const Pose2 since = Advance({}, arc);
     X_WR = X_WR * since;
-    MoveOn(since, arc.length_m, belief);
+    MoveOn(since, arc.length_m, Eigen::Vector2d(0.0, 0.0), belief);
   }
   const Pose3 X_RW = Inverse(FromGround(X_WR, 0.0));
   EXPECT_LT((belief.p_ET - X_RW * kPoint).norm(), 1e-12);
@@ -75,7 +75,7 @@ TEST(FaceBelief, WithoutANormalTheFaceLeansBackByTwentyDegreesAlongTheLineOfSigh
 TEST(FaceBelief, ADetectionIsWhereTheTargetIsAndCountsAnew) {
   const Nominal nominal = NominalRover();
   FaceBelief belief = Believed();
-  MoveOn(Advance({}, Arc{0.3, 0.1}), 0.3, belief);
+  MoveOn(Advance({}, Arc{0.3, 0.1}), 0.3, Eigen::Vector2d(0.0, 0.0), belief);
   const Eigen::Vector3d p_E(2.71, 0.1, 0.34);
   Take(nominal, FaceStereo(nominal), BlindView(nominal), {.found = true, .p_E = p_E}, belief);
   EXPECT_EQ(belief.p_ET, p_E);

@@ -33,7 +33,8 @@ struct Before {
     return DecideNext(nominal, options, belief, Face(), ToolOffNow(), progress);
   }
   void Drive(const std::vector<Arc>& arcs) {
-    for (const Arc& arc : arcs) MoveOn(Advance({}, arc), arc.length_m, belief);
+    for (const Arc& arc : arcs)
+      MoveOn(Advance({}, arc), arc.length_m, Eigen::Vector2d(0.0, 0.0), belief);
   }
 };
 
@@ -98,7 +99,8 @@ TEST(FaceDecision, AsksForLessWithEachPairNearBy) {
   while (before.ToolOffNow() > kPi - 1e-9 || Degrees(before.ToolOffNow()) > 2.2) {
     before.belief = at_start;
     back_m += 0.001;
-    MoveOn({goal->X_RG.x - 0.05 + back_m, goal->X_RG.y, goal->X_RG.heading}, 1.0, before.belief);
+    MoveOn({goal->X_RG.x - 0.05 + back_m, goal->X_RG.y, goal->X_RG.heading}, 1.0,
+           Eigen::Vector2d(0.0, 0.0), before.belief);
     ASSERT_LT(back_m, 0.1);
   }
   const double off_rad = before.ToolOffNow();

@@ -148,6 +148,17 @@ TEST(PatchTracker, FindsThePointAfterAStep) {
   EXPECT_GT(seen.score, 0.8);
 }
 
+// Odometry is off by 10 cm to a side, five sigmas: the second pair is searched as far again.
+TEST(PatchTracker, SearchesFurtherAfterAMiss) {
+  Step step;
+  step.expected.p_E.y() += 0.1;
+  EXPECT_FALSE(step.Follow().found);
+  const FaceSighting seen = step.Follow();
+  ASSERT_TRUE(seen.found) << seen.why;
+  const Eigen::Vector3d p_E = FaceScene::InE(step.watch.X_WE, step.watch.scene.p_W);
+  EXPECT_LT((seen.p_E - p_E).norm(), 0.03);
+}
+
 TEST(PatchTracker, SaysThatTheFaceIsAnother) {
   Step step;
   step.watch.scene.other = 7.0;

@@ -85,6 +85,27 @@ TEST(StoneMemory, FusesASecondSightingByInverseVariances) {
   EXPECT_TRUE(memory.HasSeenTargetWell());
 }
 
+// A stone's edge was taken for a stone of its own. Where images do not show that again, but the
+// stone next to it, the two are one; a stone of its own is further away.
+TEST(StoneMemory, ASettledTargetThatIsNotDetectedAgainWasAPartOfTheStoneNextToIt) {
+  for (const double away_m : {0.028, 0.05}) {
+    const Vector2d edge(0.5, 0.0), whole(0.5 - away_m, 0.01);
+    StoneMemory memory = Begun({Stone(edge), Stone(whole)}, edge);
+    memory.Settle();
+    for (int pair = 0; pair < 2; ++pair) {
+      memory.Choose();
+      EXPECT_EQ(memory.target().p, edge);
+      FieldMatch match = None(memory);
+      for (std::size_t i = 0; i < match.seen.size(); ++i) {
+        if (memory.stones()[i].p == whole) match.seen[i] = 0;
+      }
+      memory.Learn({Stone(whole)}, match, kField);
+    }
+    memory.Choose();
+    EXPECT_LT((memory.target().p - (away_m < 0.04 ? whole : edge)).norm(), 1e-6) << away_m;
+  }
+}
+
 // Bayes: of a stone that is there a share is missed, of none all.
 TEST(StoneMemory, AStoneThatIsMissedFadesAsBayesSays) {
   StoneMemory memory = Begun({Stone({0.9, 0.0})}, {0.9, 0.0});

@@ -118,12 +118,12 @@ TEST(Rocky7Shortcuts, WhenTheStoneIsTakenAwayHalfWayItReportsTheLoss) {
     return std::make_unique<Rocky7Plant>(scenario, BuildRun(scenario, LoadModels(scenario)),
                                          renderer);
   };
-  const auto with = plant("0.04"), without = plant("0.01");
+  const auto with = plant("0.04"), without = plant("0.01, height_m: 0.005");
   const auto controller = MakeDockyardController(with->built().nominal);
   Commands commands;
   std::vector<CameraImage> images;
   int found = 0;
-  while (commands.verdict == Verdict::kUnderWay && with->tick() < 120000) {
+  while (commands.verdict == Verdict::kUnderWay && with->tick() < 240000) {
     SensorFrame sensed = with->Sense();
     without->Sense();
     sensed.images = std::exchange(images, {});
@@ -141,15 +141,16 @@ TEST(Rocky7Shortcuts, WhenTheStoneIsTakenAwayHalfWayItReportsTheLoss) {
   EXPECT_EQ(commands.verdict, Verdict::kGivenUp) << controller->belief().note;
 }
 
-bool LookedAfterwards(const Ended& ended) {
+bool Inspected(const Ended& ended) {
   return ended.notes.contains("no stone stands there any more") ||
          ended.notes.contains("the stone still stands there");
 }
 
-TEST(Rocky7Shortcuts, KnowsByTheCurrentsAloneThatItHoldsTheStone) {
+// A grasp that is believed by the scoops alone, or by the arm's weight, would not notice sand.
+TEST(Rocky7Shortcuts, InspectsThePlaceAfterAGrasp) {
   const Ended usual = RunWith("task: grasp", kNothing);
   EXPECT_EQ(usual.outcome, "grasped");
-  EXPECT_FALSE(LookedAfterwards(usual));
+  EXPECT_TRUE(Inspected(usual));
 }
 
 TEST(Rocky7Shortcuts, InTenTimesTheCurrentsNoiseItLooksWhetherTheStoneIsGone) {
@@ -159,14 +160,14 @@ TEST(Rocky7Shortcuts, InTenTimesTheCurrentsNoiseItLooksWhetherTheStoneIsGone) {
       motor.current_a = std::abs(motor.current_a + 0.1 * random.Normal());
     }
   });
-  EXPECT_TRUE(LookedAfterwards(noisy)) << noisy.outcome;
+  EXPECT_TRUE(Inspected(noisy)) << noisy.outcome;
 }
 
 TEST(Rocky7Shortcuts, WithCurrentsThatReadNothingItLooksToo) {
   const Ended stuck = RunWith("task: grasp", [](SensorFrame& frame) {
     for (MotorReading& motor : frame.motors) motor.current_a = 0.0;
   });
-  EXPECT_TRUE(LookedAfterwards(stuck)) << stuck.outcome;
+  EXPECT_TRUE(Inspected(stuck)) << stuck.outcome;
 }
 
 }  // namespace
