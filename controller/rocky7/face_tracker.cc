@@ -15,7 +15,7 @@ namespace {
 constexpr double kAcrossShare = 0.03, kLifts_m = 0.015, kPoints_rad = Radians(0.3);
 // Half the window, in sigmas; at least and at most. Assumed, 3-4, 6-12 and 40-80 px.
 constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
-// After misses all is so many times wider at most, less one. Assumed, 1-3.
+// After misses all is wider: three times at most. Assumed, 2-4.
 constexpr int kMostWider = 2;
 // A range that differs from the prediction by more sigmas is another surface. Assumed, 3-5.
 constexpr double kRangeSigmas = 3.5;
@@ -127,9 +127,9 @@ FaceSighting PatchTracker::Begin(const FaceStereo& stereo, const FaceView& view,
 
 FaceSighting PatchTracker::Follow(const FaceStereo& stereo, const FaceView& view,
                                   const FaceExpected& target) {
-  const FaceSighting seen = Search(stereo, view, target);
-  missed_ = seen.found ? 0 : missed_ + 1;
-  return seen;
+  const FaceSighting sighting = Search(stereo, view, target);
+  missed_ = sighting.found ? 0 : missed_ + 1;
+  return sighting;
 }
 
 // Each miss says that odometry is off by more than was thought.

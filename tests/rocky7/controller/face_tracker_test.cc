@@ -153,10 +153,10 @@ TEST(PatchTracker, SearchesFurtherAfterAMiss) {
   Step step;
   step.expected.p_E.y() += 0.1;
   EXPECT_FALSE(step.Follow().found);
-  const FaceSighting seen = step.Follow();
-  ASSERT_TRUE(seen.found) << seen.why;
+  const FaceSighting sighting = step.Follow();
+  ASSERT_TRUE(sighting.found) << sighting.why;
   const Eigen::Vector3d p_E = FaceScene::InE(step.watch.X_WE, step.watch.scene.p_W);
-  EXPECT_LT((seen.p_E - p_E).norm(), 0.03);
+  EXPECT_LT((sighting.p_E - p_E).norm(), 0.03);
 }
 
 TEST(PatchTracker, SaysThatTheFaceIsAnother) {

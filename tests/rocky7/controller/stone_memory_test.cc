@@ -32,6 +32,14 @@ FieldMatch None(const StoneMemory& memory) {
   return {.seen = std::vector<int>(memory.stones().size(), -1)};
 }
 
+/// The one at this place was found again.
+FieldMatch OnlyAt(const Vector2d& p, const StoneMemory& memory) {
+  FieldMatch match = None(memory);
+  auto was = memory.stones().begin();
+  for (int& index : match.seen) index = (was++)->p == p ? 0 : -1;
+  return match;
+}
+
 StoneMemory Begun(const std::vector<FieldStone>& stones, const Vector2d& click) {
   StoneMemory memory;
   memory.Begin(ClickOn(click), 0.0, stones);
@@ -95,11 +103,7 @@ TEST(StoneMemory, ASettledTargetThatIsNotDetectedAgainWasAPartOfTheStoneNextToIt
     for (int pair = 0; pair < 2; ++pair) {
       memory.Choose();
       EXPECT_EQ(memory.target().p, edge);
-      FieldMatch match = None(memory);
-      for (std::size_t i = 0; i < match.seen.size(); ++i) {
-        if (memory.stones()[i].p == whole) match.seen[i] = 0;
-      }
-      memory.Learn({Stone(whole)}, match, kField);
+      memory.Learn({Stone(whole)}, OnlyAt(whole, memory), kField);
     }
     memory.Choose();
     EXPECT_LT((memory.target().p - (away_m < 0.04 ? whole : edge)).norm(), 1e-6) << away_m;

@@ -1,5 +1,5 @@
-// What stands out of the ground, on disparities in closed form.
-#include "controller/rocky7/stands_out.h"
+// Obstacles before a face, on disparities in closed form.
+#include "controller/rocky7/face_obstacles.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ FaceView ViewOf(double boulder_m, double rise, double err_rad) {
   pair.centre_px = {0.5 * kWidth, 0.5 * kHeight};
   const double down_rad = 0.6;
   Pose3 X_EC;
-  // The camera looks along its z, y down.
+  // z of the camera is its optical axis, y points down.
   Eigen::Matrix3d axes;
   axes << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   X_EC.R = RotY(down_rad) * axes;
@@ -56,12 +56,12 @@ FaceView ViewOf(double boulder_m, double rise, double err_rad) {
 }
 
 // Though the ground slopes, and the mast's joints are off by three degrees.
-TEST(StandsOut, IsTheBoulderAndNotTheGroundAboutIt) {
+TEST(FaceObstacles, IsTheBoulderAndNotTheGroundAboutIt) {
   for (const double rise : {0.0, 0.1}) {
     for (const double err_rad : {0.0, 0.06, -0.06}) {
       FaceView view = ViewOf(0.3, rise, err_rad);
       view.ground_rise = {rise, 0.0};
-      const std::vector<Eigen::Vector2d> cells = StandsOut(view, {1.6, 0.0});
+      const std::vector<Eigen::Vector2d> cells = ObstaclesAbout(view, {1.6, 0.0});
       EXPECT_GE(cells.size(), 6u) << rise << " " << err_rad;
       for (const Eigen::Vector2d& cell : cells) {
         EXPECT_NEAR(cell.x(), 1.6, 0.09) << rise << " " << err_rad;

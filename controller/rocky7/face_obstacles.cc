@@ -1,4 +1,4 @@
-#include "controller/rocky7/stands_out.h"
+#include "controller/rocky7/face_obstacles.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -10,18 +10,18 @@
 namespace dockyard::rocky7 {
 namespace {
 
-// What stands out: this high over the ground and no higher (assumed, 5-8 cm and 0.6-1.5 m), in
-// cells of such a side (assumed, 3-5 cm), of which this share is seen: a few wrong pixels are no
-// obstacle (assumed, 0.05-0.2).
-constexpr double kStandsOut_m = 0.06, kNoHigher_m = 1.2, kCell_m = 0.04, kAboutTarget_m = 0.8;
+// An obstacle is this high over the ground and no higher (assumed, 5-8 cm and 0.6-1.5 m), in cells
+// of such a side (assumed, 3-5 cm), of which images show this share: a few wrong pixels are none
+// (assumed, 0.05-0.2).
+constexpr double kObstacle_m = 0.06, kNoHigher_m = 1.2, kCell_m = 0.04, kAboutTarget_m = 0.8;
 constexpr double kCellShare = 0.1;
 constexpr int kTargetCells = 3;  // to either side of the target; assumed, 2-4
 // From further away heights over the ground are not sure enough. Assumed, 2-3 m.
-constexpr double kStandsOutWithin_m = 2.5;
+constexpr double kObstaclesWithin_m = 2.5;
 
-// Every so many pixels along rows and columns are enough for the ground. Assumed, 2-6.
+// One pixel in three along rows and columns is enough for the ground. Assumed, 2-6.
 constexpr int kEach_px = 3;
-// The ground is found within so much of the plane that is expected, then of the one found: the
+// Points of the ground are within this of the plane that is expected, then of the one found: the
 // mast's joints and the attitude err by a degree together. Assumed, 8-15 cm and 2-4 cm.
 constexpr std::array kBands_m{0.12, 0.06, 0.03};
 // Not on the boulder itself; assumed, 0.4-0.7 m. With fewer points the expected plane counts.
@@ -37,7 +37,7 @@ Eigen::Vector3d GroundOf(const FaceView& view, const Eigen::Vector2d& p_E) {
       if (!(disparity_px > 0.0)) continue;
       const Eigen::Vector3d p = view.pair.X_RC * view.pair.Point(u, v, disparity_px);
       const double away_m = (p.head<2>() - p_E).norm();
-      if (away_m > kOffBoulder_m && away_m < kStandsOutWithin_m) points.push_back(p);
+      if (away_m > kOffBoulder_m && away_m < kObstaclesWithin_m) points.push_back(p);
     }
   }
   Eigen::Vector3d plane(0.0, view.ground_rise.x(), view.ground_rise.y());
@@ -60,9 +60,9 @@ Eigen::Vector3d GroundOf(const FaceView& view, const Eigen::Vector2d& p_E) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> StandsOut(const FaceView& view, const Eigen::Vector2d& p_E) {
+std::vector<Eigen::Vector2d> ObstaclesAbout(const FaceView& view, const Eigen::Vector2d& p_E) {
   const double away_m = (view.pair.X_RC.p.head<2>() - p_E).norm();
-  if (away_m > kStandsOutWithin_m) return {};
+  if (away_m > kObstaclesWithin_m) return {};
   const double across_px = view.pair.focal_px * kCell_m / std::max(0.3, away_m);
   const Eigen::Vector3d ground = GroundOf(view, p_E);
   using Cell = std::pair<int, int>;
@@ -74,14 +74,14 @@ std::vector<Eigen::Vector2d> StandsOut(const FaceView& view, const Eigen::Vector
       const Eigen::Vector3d p = view.pair.X_RC * view.pair.Point(u, v, disparity_px);
       const Eigen::Vector2d from = p.head<2>() - p_E;
       const double up_m = p.z() - ground.dot(Eigen::Vector3d(1.0, p.x(), p.y()));
-      if (up_m < kStandsOut_m || up_m > kNoHigher_m || from.norm() > kAboutTarget_m) continue;
+      if (up_m < kObstacle_m || up_m > kNoHigher_m || from.norm() > kAboutTarget_m) continue;
       ++cells[{static_cast<int>(std::floor(from.x() / kCell_m)),
                static_cast<int>(std::floor(from.y() / kCell_m))}];
     }
   }
   std::erase_if(cells,
                 [&](const auto& cell) { return cell.second < kCellShare * across_px * across_px; });
-  // The boulder is what hangs together with the target; what stands alone is a wrong range.
+  // The boulder is connected with the target; a cell alone is a wrong range.
   std::vector<Cell> found;
   const auto take = [&](const Cell& cell) {
     if (cells.erase(cell) > 0) found.push_back(cell);
