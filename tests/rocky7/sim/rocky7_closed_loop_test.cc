@@ -84,9 +84,10 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
                      }}});
   const RunRecord record = RunFrom(system, "dockyard", "loose_sand", 2, "grasp");
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
-  EXPECT_LT(MeasureOf(record, "point_off_m"), 0.012);
+  EXPECT_LT(MeasureOf(record, "point_off_m"), 0.035);  // the arm rolls to it by up to 3 cm
   EXPECT_GT(MeasureOf(record, "rise_m"), 0.1);
-  // It takes images while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12 cm.
+  // It takes images while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12
+  // cm.
   EXPECT_GE(looks->under_way, 3);
   EXPECT_GE(looks->standing, 2);
 }

@@ -60,6 +60,11 @@ Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
   scenario.seed = seed;
   BuiltRun built = BuildRun(scenario, LoadModels(scenario));
   built.mast_pair = built.world.robot.mast_pair.nominal;
+  // The perception alone: cameras without video, joints without play.
+  built.world.robot.mast_pair.sensor.video = {};
+  for (MotorModel& motor : built.world.robot.rover.mast->motors) {
+    motor.backlash_rad = motor.bend_nm_per_rad = 0.0;
+  }
   Rocky7Plant plant(scenario, built, std::make_shared<KeptRenderer>());
   const Nominal& nominal = plant.built().nominal;
   const SensorFrame sensed = plant.Sense();

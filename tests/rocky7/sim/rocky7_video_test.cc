@@ -9,7 +9,7 @@
 namespace dockyard::rocky7 {
 namespace {
 
-std::unique_ptr<Rocky7Plant> Plant(const std::string& video) {
+std::unique_ptr<Rocky7Plant> Plant(const std::string& fields, const std::string& noise_share) {
   Scenario scenario;
   scenario.name = "test";
   scenario.system = "rocky7";
@@ -22,8 +22,8 @@ std::unique_ptr<Rocky7Plant> Plant(const std::string& video) {
   // Hardly any noise: the images differ by their fields alone.
   scenario.changes = ParseYaml(
       "{robot: {cameras: {sensor: {full_well_e: 1e6, read_noise_e: 0, shutter_s: 0, exposure: "
-      "{rule: fixed, fixed_e: 9e5}, video: {" +
-          video + "}}}}}",
+      "{rule: fixed, fixed_e: 9e5}, video: {line_jitter_px: 0, fields: " +
+          fields + ", noise_share: " + noise_share + "}}}}}",
       "test");
   return std::make_unique<Rocky7Plant>(scenario, BuildRun(scenario, LoadModels(scenario)),
                                        std::make_shared<KeptRenderer>());
@@ -47,7 +47,7 @@ GrayImage LeftOf(Rocky7Plant& plant, int camera) {
 }
 
 TEST(Rocky7Video, OddLinesOfATurningRoverAreAFieldLaterAndOfAStandingOneOfNow) {
-  const auto whole = Plant("fields: progressive"), video = Plant("fields: interlaced");
+  const auto whole = Plant("progressive", "0"), video = Plant("interlaced", "0");
   for (Rocky7Plant* plant : {whole.get(), video.get()}) Turn(*plant, 0.0, 2.0);
   for (const int camera : {kFrontLeft, kMastLeft}) {
     EXPECT_EQ(LeftOf(*video, camera), LeftOf(*whole, camera));
@@ -64,7 +64,7 @@ TEST(Rocky7Video, OddLinesOfATurningRoverAreAFieldLaterAndOfAStandingOneOfNow) {
 }
 
 TEST(Rocky7Video, TheFrameGrabbersNoiseIsThatOfTheFrontPairsFileInEveryPair) {
-  const auto clean = Plant(""), noisy = Plant("noise_share: 0.008");
+  const auto clean = Plant("progressive", "0"), noisy = Plant("progressive", "0.008");
   for (const int camera : {kFrontLeft, kMastLeft, kBackLeft}) {
     const GrayImage a = LeftOf(*clean, camera), b = LeftOf(*noisy, camera);
     double square = 0.0, count = 0.0;
