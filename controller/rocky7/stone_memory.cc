@@ -36,8 +36,8 @@ constexpr double kForgotten = 0.05;
 // A height this many sigmas off teaches nothing. Assumed, 2-3.
 constexpr double kWildHeight = 2.5;
 constexpr double kSurely = 0.8;  // chance that it is a stone; assumed, 0.6-0.95
-// A target that two image pairs in a row do not show is a part of a stone whose middle is this near:
-// a stone of 5 cm by half. Assumed, 2-4 and 3-5 cm.
+// A target that two image pairs in a row do not show is a part of a stone whose middle is this
+// near: a stone of 5 cm by half. Assumed, 2-4 and 3-5 cm.
 constexpr int kNotAgain = 2;
 constexpr double kOneStone_m = 0.035;
 

@@ -16,8 +16,8 @@ Eigen::Vector3d DirectionOf(double azimuth_rad, double elevation_rad);
 /// at a southern latitude.
 Eigen::Vector3d NorthPole(const SunModel& sun, const Eigen::Vector3d& to_sun_L);
 
-/// The direction to the sun after that time: it turns about the pole, from east to west, by a turn in a
-/// mean solar day. In the frame of both directions.
+/// The direction to the sun after that time: it turns about the pole, from east to west, by a turn
+/// in a mean solar day. In the frame of both directions.
 Eigen::Vector3d SunAfter(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& to_pole,
                          double seconds);
 

@@ -110,8 +110,8 @@ TEST(Rocky7World, NoticesAStoneUnderTheBody) {
   EXPECT_TRUE(world.truth().on_stone);
 }
 
-// A boulder whose face points along x, and the rover before it, so that its tool, level, is aimed at
-// the face's middle 0.45 m up: shoulder 11.5 deg up, elbow as much down.
+// A boulder whose face points along x, and the rover before it, so that its tool, level, is aimed
+// at the face's middle 0.45 m up: shoulder 11.5 deg up, elbow as much down.
 WorldSetup BeforeBoulder(double stand_off_m) {
   WorldSetup setup = AtStart();
   const BoulderShape shape{.target_up_m = 0.45, .face_up_rad = 0.0, .roughness_m = 0.0};
