@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/tracking/height_patch.h"
+#include "controller/tracking/height_at.h"
 
 namespace dockyard::rocky7 {
 namespace {

@@ -1,6 +1,6 @@
 // A point of a face found again in a new picture: what surrounds it in an older one, as it would
-// look from the new place, moved over the new picture. It goes by visual appearance, where
-// controller/tracking/whole_shape.h goes by shape: a face has no shape to find it by.
+// look from the new place, moved over the new picture. It goes by visual appearance: a face has no
+// shape to find it by.
 #pragma once
 
 #include <Eigen/Core>

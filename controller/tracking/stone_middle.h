@@ -1,5 +1,4 @@
 // Where a stone lies, from one map: its middle, its height above the ground about it, its sides.
-// Absolute where FindShape is relative: a first map has no shape to compare with.
 #pragma once
 
 #include <Eigen/Core>

@@ -8,7 +8,6 @@
 
 #include "controller/stereo/sand_and_stones.h"
 #include "controller/tracking/stone_middle.h"
-#include "controller/tracking/whole_shape.h"
 #include "sim/base/random.h"
 #include "stereo/rendered_yard.h"
 
@@ -171,70 +170,6 @@ TEST(StoneSurvey, OfPicturesOf640Pixels) {
 
 TEST(StoneSurvey, OfPicturesOf320Pixels) {
   for (const double sun_deg : {12.0, 40.0, 80.0}) Survey(320, sun_deg);
-}
-
-ElevationMap MapFrom(StereoRenderer& renderer, const RenderedYard& yard, const Pose2& X_WR,
-                     std::uint64_t key) {
-  static const StereoRig rig = BodyCameras();
-  static const Rectifier rectifier(rig);
-  static const PlaneDisparity ground = DisparityOf(rectifier.pair(), {});
-  const StereoImages images = PictureOf(renderer, yard, rig, key, FromGround(X_WR, 0.0));
-  return MapHeights(rectifier.pair(),
-                    WithoutEdges(MatchSandAndStones(rectifier, images, ground), ground), {}, 7, {});
-}
-
-// The whole shape of a look is found in the next one, 0.1 m and 3 deg on; the stone's middle in
-// that one alone. What the shape was taken about is exact, so that nothing adds up.
-TEST(ShapeSurvey, OfTheNextLookBesideTheStonesMiddle) {
-  // Half as wide as is default: a stone of 3 cm has little relief in a square of 16 cm.
-  constexpr WholeShapeSettings kSmall{.half_m = 0.05, .step_m = 0.005, .least_relief_m = 1e-3};
-  StereoRenderer renderer;
-  const Pose2 X_WR{0.1, 0.0, Radians(3.0)};
-  for (const double sun_deg : {12.0, 40.0, 80.0}) {
-    Errors shapes[2], middles[2];
-    for (int number = 0; number < kYards; ++number) {
-      const RenderedYard yard = MakeYard(TargetYard(number, sun_deg));
-      const auto key = static_cast<std::uint64_t>(number);
-      const ElevationMap before = MapFrom(renderer, yard, {}, StreamKey(key, "noise"));
-      const ElevationMap now = MapFrom(renderer, yard, X_WR, StreamKey(key, "next"));
-      RandomStream random(StreamKey(key, "predictions"));
-      for (std::size_t i = 0; i < kNear + kFar; ++i) {
-        const bool is_far = i >= kNear;
-        const double sigma_m = is_far ? 0.015 : 0.01;
-        const Vector2d p_W = yard.rocks[i].p_D, p_E = Inverse(X_WR) * p_W;
-        const Vector2d predicted = p_E + sigma_m * Vector2d(random.Normal(), random.Normal());
-        if (!TopIsSeen(yard, BodyCameras(), i) || p_E.x() < 0.2) continue;
-        const auto Count = [&](Errors& errors, std::size_t verdict, const Vector2d& found) {
-          ++errors.verdicts[verdict];
-          if (verdict > 0) return;
-          errors.off_m.push_back((found - p_E).norm());
-          errors.wrong += errors.off_m.back() > kWrong_m;
-        };
-        const TrackedShape shape =
-            FindShape(ShapeAbout(before, {p_W.x(), p_W.y(), 0.0}, kSmall), now,
-                      {predicted.x(), predicted.y(), -X_WR.heading}, kSmall);
-        Count(shapes[is_far], static_cast<std::size_t>(shape.verdict),
-              {shape.X_ET.x, shape.X_ET.y});
-        const StoneMiddle middle = FindStone(now, predicted, {});
-        Count(middles[is_far], static_cast<std::size_t>(middle.verdict), middle.p_E);
-      }
-    }
-    std::printf("sun at %.0f deg\n", sun_deg);
-    for (const int far : {0, 1}) {
-      for (const auto& [name, errors] :
-           {std::pair("shape", &shapes[far]), {"middle", &middles[far]}}) {
-        std::printf(
-            "  %s, %s: found %d, not %d %d %d %d; off median %.1f, 95 %% %.1f mm; wrong %d\n",
-            far != 0 ? "0.8-0.95 m" : "0.2-0.5 m", name, errors->verdicts[0], errors->verdicts[1],
-            errors->verdicts[2], errors->verdicts[3], errors->verdicts[4],
-            1e3 * errors->Within(0.5), 1e3 * errors->Within(0.95), errors->wrong);
-      }
-    }
-    EXPECT_GE(shapes[0].verdicts[0], 70);
-    EXPECT_LT(shapes[0].Within(0.95), 6e-3);
-    EXPECT_EQ(shapes[0].wrong, 0);
-    EXPECT_GE(middles[0].verdicts[0], 75);
-  }
 }
 
 }  // namespace
