@@ -23,8 +23,7 @@ constexpr ApproachOptions kOptions{.ground_as_body = true,
                                    .blind_beyond_m = 0.25,  // assumed, 0.2-0.5
                                    .most_misses = 8};
 
-// By the arm's roll: 8 deg. Ahead, scoops that open by 80 mm close over a stone that is 2 cm off
-// (docs/rocky7.md): the whole reach may be claimed. Assumed, 1-4 cm.
+// The arm rolls by 8 deg for it. Assumed, 1-4 cm.
 constexpr double kArmAside_m = 0.03;
 // Assumed, 1-5 tries.
 constexpr MissionOptions kMission{.tries = 3, .inspects = true};
@@ -36,7 +35,7 @@ std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal) {
   ApproachOptions options = kOptions;
   if (nominal.task == Task::kGrasp) {
     options.arm_aside_m = kArmAside_m;
-    options.claim_share = 1.0;
+    options.claim_share = 1.0;  // scoops close over a stone that is 2 cm off (docs/rocky7.md)
   }
   return std::make_unique<Mission>(nominal, std::make_unique<StoneTracker>(), options, kMission);
 }

@@ -24,7 +24,8 @@ constexpr int kEach_px = 3;
 // Points of the ground are within this of the plane that is expected, then of the one found: the
 // mast's joints and the attitude err by a degree together. Assumed, 8-15 cm and 2-4 cm.
 constexpr std::array kBands_m{0.12, 0.06, 0.03};
-// Not on the boulder itself; assumed, 0.4-0.7 m. With fewer points the expected plane counts.
+// Not on the boulder itself; assumed, 0.4-0.7 m. With fewer points the plane of before counts;
+// assumed, 100-500.
 constexpr double kOffBoulder_m = 0.5;
 constexpr int kLeastGround = 200;
 

@@ -14,10 +14,10 @@
 
 namespace dockyard::rocky7 {
 
-/// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
 /// The name of a loose stone of the field in a spectator's log.
 std::string LooseStoneName(std::size_t number);
 
+/// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
 class SceneBuilder {
  public:
   SceneBuilder(const BuiltRun& built, const WheeledBody& rover, const Seed& run_seed);

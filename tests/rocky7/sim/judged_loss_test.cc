@@ -1,13 +1,12 @@
 // The judge on a rover that rests: a controller reports what a test gives it.
 #include <gtest/gtest.h>
 
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rocky7/load_models.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_system.h"
 #include "sim/rocky7/target_view.h"
 #include "sim/run/loop.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -19,16 +18,8 @@ constexpr Before kStone, kFace{2.8, 0.33};
 
 Scenario Resting(const Before& before, const std::string& keys,
                  const std::vector<GivenRock>& rocks = {}) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
+  Scenario scenario = OnGravel("{" + keys + "}", before.from_m, 4.0);
   scenario.controller = "given";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml("{" + keys + "}", "test");
-  scenario.start = {before.from_m, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 4.0;
-  scenario.yard.cell_m = 0.01;
   scenario.rocks.given = rocks;
   scenario.time_limit_s = 5.0;
   scenario.seed = 3;

@@ -7,10 +7,9 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/face_stereo.h"
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rocky7/rocky7_plant.h"
 #include "sim/vehicles/boulder.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -45,18 +44,10 @@ struct Seen {
 
 // An image pair of a face from so far, its middle to R; nominal cameras, the mast as it watches.
 Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml("{task: place, target_up_m: " + NumberText(face.height_m) +
-                                     ", face_up_deg: " + NumberText(face.up_deg) +
-                                     ", face_turn_deg: " + NumberText(face.turn_deg) + "}",
-                                 "test");
-  scenario.start = {from_m, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 5.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel("{task: place, target_up_m: " + NumberText(face.height_m) +
+                                   ", face_up_deg: " + NumberText(face.up_deg) +
+                                   ", face_turn_deg: " + NumberText(face.turn_deg) + "}",
+                               from_m, 5.0);
   scenario.seed = seed;
   BuiltRun built = BuildRun(scenario, LoadModels(scenario));
   built.mast_pair = built.world.robot.mast_pair.nominal;

@@ -3,25 +3,16 @@
 
 #include <algorithm>
 
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rocky7/rocky7_plant.h"
 #include "sim/spectator/aim_point.h"
 #include "sim/spectator/outside_scene.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
 Scenario Yard(const std::string& keys) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml(keys, "test");
-  scenario.start = {1.6, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 4.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel(keys, 1.6, 4.0);
   scenario.rocks.cover = 0.03;
   scenario.light = Light::kHardShadow;
   return scenario;

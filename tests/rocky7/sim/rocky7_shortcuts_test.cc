@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "controller/rocky7/dockyard.h"
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/base/random.h"
 #include "sim/rocky7/rocky7_plant.h"
 #include "sim/rocky7/rocky7_system.h"
 #include "sim/run/loop.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -51,16 +50,9 @@ struct Ended {
 };
 
 Scenario NearStone(const std::string& keys) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
+  Scenario scenario = OnGravel("{" + keys + "}", 1.0, 4.0);
   scenario.controller = "altered";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml("{" + keys + "}", "test");
   scenario.start = {1.0, 0.0, Radians(3.0)};
-  scenario.yard.length_m = scenario.yard.width_m = 4.0;
-  scenario.yard.cell_m = 0.01;
   scenario.time_limit_s = 120.0;
   scenario.seed = 3;
   return scenario;

@@ -3,22 +3,15 @@
 
 #include <cmath>
 
+#include "rocky7/sim/test_scenario.h"
 #include "sim/plant/sun_motion.h"
 #include "sim/rocky7/rocky7_plant.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
 Scenario UnderSun(bool moving) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.start = {1.3, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 4.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel("{}", 1.3, 4.0);
   scenario.light = Light::kHardShadow;
   scenario.sun.moving = moving;
   return scenario;

@@ -7,9 +7,8 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/face_tracker.h"
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rocky7/rocky7_plant.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -18,19 +17,9 @@ namespace {
 Scenario BeforeSummit(std::uint64_t seed, double from_m, Light light) {
   const double width_m = 0.5 + 0.05 * static_cast<double>(seed % 7);
   const double up_m = 0.15 + 0.04 * static_cast<double>(seed % 6);
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml(
-      "{task: place, boulder: rounded, face_up_deg: 90, boulder_m: " + NumberText(width_m) +
-          ", target_up_m: " + NumberText(up_m) + "}",
-      "test");
-  scenario.start = {from_m, 0.0, 0.0};
-  scenario.yard.length_m = 9.0;
-  scenario.yard.width_m = 8.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel("{task: place, boulder: rounded, face_up_deg: 90, boulder_m: " +
+                                   NumberText(width_m) + ", target_up_m: " + NumberText(up_m) + "}",
+                               from_m, 9.0);
   scenario.light = light;
   scenario.seed = seed;
   return scenario;

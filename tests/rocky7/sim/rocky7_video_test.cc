@@ -2,23 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rocky7/rocky7_plant.h"
-#include "support/bad_files.h"
 #include "support/line_shift.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
 std::unique_ptr<Rocky7Plant> Plant(const std::string& fields, const std::string& noise_share) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml("{task: place}", "test");  // the mast watches ahead
-  scenario.start = {2.0, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 5.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel("{task: place}", 2.0, 5.0);  // the mast watches ahead
   // Hardly any noise: the images differ by their fields alone.
   scenario.changes = ParseYaml(
       "{robot: {cameras: {sensor: {full_well_e: 1e6, read_noise_e: 0, shutter_s: 0, exposure: "

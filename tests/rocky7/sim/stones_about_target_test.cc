@@ -4,25 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rigid/rocks.h"
 #include "sim/rocky7/build_run.h"
 #include "sim/rocky7/load_models.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
 BuiltRun DenseYard(const std::string& keys, std::uint64_t seed) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml(keys, "test");
-  scenario.start = {1.6, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = 5.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel(keys, 1.6, 5.0);
   scenario.rocks.cover = 0.1;
   scenario.rocks.least_m = 0.02;
   scenario.rocks.largest_m = 0.15;

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "models/read/yaml_tree.h"
+#include "rocky7/sim/test_scenario.h"
 #include "sim/rigid/slope.h"
 #include "sim/vehicles/boulder.h"
-#include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -20,15 +19,7 @@ struct Clicked {
 };
 
 Clicked ClickFrom(double from_m, const std::string& task, std::uint64_t seed) {
-  Scenario scenario;
-  scenario.name = "test";
-  scenario.system = "rocky7";
-  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
-  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.of_system = ParseYaml(task, "test");
-  scenario.start = {from_m, 0.0, 0.0};
-  scenario.yard.length_m = scenario.yard.width_m = from_m + 3.0;
-  scenario.yard.cell_m = 0.01;
+  Scenario scenario = OnGravel(task, from_m, from_m + 3.0);
   scenario.seed = seed;
   BuiltRun run = BuildRun(scenario, LoadModels(scenario));
   const Truth truth = World(run.world).truth();
