@@ -92,6 +92,23 @@ FaceDistance DistanceTo(const ConvexBody& body, const Eigen::Vector3d& p) {
   return furthest;
 }
 
+std::optional<double> RayEnters(const ConvexBody& body, const Eigen::Vector3d& origin,
+                                const Eigen::Vector3d& direction) {
+  double enters = 0.0, leaves = std::numeric_limits<double>::infinity();
+  for (const HalfSpace& face : body.faces) {
+    const double outside_m = face.normal.dot(origin) - face.offset_m;
+    const double outward = face.normal.dot(direction);
+    if (outward < 0.0) {
+      enters = std::max(enters, -outside_m / outward);
+    } else if (outward > 0.0) {
+      leaves = std::min(leaves, -outside_m / outward);
+    } else if (outside_m > 0.0) {
+      return std::nullopt;
+    }
+  }
+  return enters > 0.0 && enters <= leaves ? std::optional(enters) : std::nullopt;
+}
+
 double DepthAlong(const ConvexBody& body, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                   double share) {
   return -DistanceTo(body, a + share * (b - a)).distance_m;

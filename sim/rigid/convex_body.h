@@ -44,6 +44,11 @@ struct FaceDistance {
 };
 FaceDistance DistanceTo(const ConvexBody& body, const Eigen::Vector3d& p);
 
+/// Where a ray enters the body from outside, in lengths of its direction; none: it passes, or
+/// begins within.
+std::optional<double> RayEnters(const ConvexBody& body, const Eigen::Vector3d& origin,
+                                const Eigen::Vector3d& direction);
+
 /// The part of a straight edge that is in a body. Shares count from the edge's first end, 0 to 1.
 struct PressedEdge {
   double from = 0.0, to = 0.0;  // ends of the part within

@@ -13,10 +13,12 @@ struct UserClick {
 };
 
 /// The pixel that shows the target's middle, with the error of the hand. A stone stays the target
-/// wherever the click falls; on a boulder the target is the point that the click shows. Who sees
-/// that it lies on another surface than the face that is meant clicks again.
+/// where the click falls on ground; a click that shows another stone is made again, and where
+/// another stone hides the middle, the click means the middle of what is visible. On a boulder the
+/// target is the point that the click shows. Who sees that it lies on another surface than the face
+/// that is meant clicks again.
 /// @param truth  of the start
-/// Throws ConfigError when the target is not in that picture.
+/// Throws ConfigError when the target is not in that image, or hidden in it.
 UserClick ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& truth);
 
 }  // namespace dockyard::rocky7

@@ -105,6 +105,23 @@ TEST(ConvexBody, KeepsDistancesWhenItIsMoved) {
   }
 }
 
+// A box of 2 x 4 x 6 about the origin, from outside along its axes, past it and from within.
+TEST(ConvexBody, ARayEntersABoxAtItsNearSide) {
+  Points corners;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-2.0, 2.0}) {
+      for (const double z : {-3.0, 3.0}) corners.emplace_back(x, y, z);
+    }
+  }
+  const ConvexBody box = HullOf(corners);
+  EXPECT_NEAR(RayEnters(box, {-5, 0, 0}, {1, 0, 0}).value(), 4.0, 1e-12);
+  EXPECT_NEAR(RayEnters(box, {0, 0, 9}, {0, 0, -2}).value(), 3.0, 1e-12);
+  EXPECT_NEAR(RayEnters(box, {-3, -2, 0}, {1, 1, 0}).value(), 2.0, 1e-12);
+  EXPECT_FALSE(RayEnters(box, {-5, 2.1, 0}, {1, 0, 0}));
+  EXPECT_FALSE(RayEnters(box, {-5, 0, 0}, {-1, 0, 0}));
+  EXPECT_FALSE(RayEnters(box, {0, 0, 0}, {1, 0, 0}));
+}
+
 TEST(PressedEdge, IsWhereASearchAlongTheEdgeFindsIt) {
   int met = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {

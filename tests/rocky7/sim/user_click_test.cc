@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "models/read/config_error.h"
 #include "rocky7/sim/test_scenario.h"
 #include "sim/rigid/slope.h"
 #include "sim/vehicles/boulder.h"
@@ -53,6 +54,39 @@ TEST(UserClick, AStoneStaysTheTargetWhereverTheClickFalls) {
               at.run.front.X_RL) *
       at.truth.X_GT.p);
   EXPECT_GT((at.click.pixel - *middle).norm(), 0.1);
+}
+
+// A block of 3 cm, 10 cm before a stone, from below the ground to a height over the line of sight
+// to the stone's middle.
+void PutBlockBefore(Clicked& at, const Pose3& X_GC, double above_ray_m) {
+  const Eigen::Vector3d middle = at.truth.X_GT.p;
+  const Eigen::Vector3d at_G = middle + 0.1 * (X_GC.p - middle).normalized();
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-0.015, 0.015}) {
+    for (const double y : {-0.05, 0.05}) {
+      for (const double z : {-0.1, above_ray_m}) corners.push_back(at_G + Eigen::Vector3d(x, y, z));
+    }
+  }
+  at.run.world.stones.push_back(HullOf(corners));
+}
+
+// The stone is 3 cm high: a block that ends 3 mm above the ray to its middle leaves its top to be
+// clicked on, with a hand that shakes by 6 px. One that ends 6 cm above it hides the stone.
+TEST(UserClick, NeverMeansAnotherStoneThanTheTarget) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Clicked at = ClickFrom(1.5, "{task: grasp, click_px: 6}", seed);
+    const Pose3 X_GC = Inverse(SiteInWorld(at.run.world.X_WG, at.run.world.slope)) * at.truth.X_WR *
+                       at.run.front.X_RL;
+    Scenario scenario = OnGravel("{task: grasp, click_px: 6}", 1.5, 4.5);
+    scenario.seed = seed;
+    PutBlockBefore(at, X_GC, 0.003);
+    const UserClick click = ClickOn(scenario, at.run, at.truth);
+    const Eigen::Vector3d along = X_GC.R * at.run.front.left.Direction(click.pixel);
+    EXPECT_FALSE(RayEnters(at.run.world.stones.back(), X_GC.p, along)) << seed;
+    EXPECT_EQ(click.target_G, at.truth.X_GT.p);
+    PutBlockBefore(at, X_GC, 0.06);
+    EXPECT_THROW(ClickOn(scenario, at.run, at.truth), ConfigError) << seed;
+  }
 }
 
 }  // namespace
