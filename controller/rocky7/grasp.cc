@@ -34,6 +34,8 @@ constexpr double kCarry_rad = -0.35;
 constexpr double kOvershoot_rad = 0.05;
 // A joint has arrived within this. Assumed, 0.01-0.05.
 constexpr double kThere_rad = 0.02;
+// An arm that stays this far below what it should rise to is held down. Assumed, 0.05-0.2.
+constexpr double kHeldDown_rad = 0.1;
 // Of the shoulder in a grasp: 4 cm to a side. Assumed, 0.1-0.3.
 constexpr double kMostRoll_rad = 0.2;
 
@@ -47,6 +49,7 @@ Grasp::Grasp(const Nominal& nominal, bool ground_as_body)
 
 void Grasp::Start(const SensorFrame& sensed, bool weighs, double aside_m) {
   weighs_ = weighs;
+  releases_ = false;
   // The lips, straight below the shoulder's axis on the ground, go aside by the roll's tangent.
   aside_rad_ = std::clamp(std::atan2(aside_m, ShoulderHeight()), -kMostRoll_rad, kMostRoll_rad);
   roll_rad_ = 0.0;  // while it is weighed
@@ -151,9 +154,16 @@ Event Grasp::Close(const SensorFrame& sensed) {
 Event Grasp::Lift(const SensorFrame& sensed) {
   roll_rad_ = 0.0;
   const auto takes = static_cast<Tick>((pitch_rad_ - kCarry_rad) / kLift_rad_s / kTickSeconds);
-  Turn(sensed, kCarry_rad, kLift_rad_s, 0.0, kLift_rad_s);
+  Turn(sensed, kCarry_rad, kLift_rad_s, releases_ ? nominal_.arm.open_rad : 0.0, kLift_rad_s);
   Weigh(sensed, loaded_);
-  return sensed.tick - since_ >= takes + kHold ? Event::kArrived : Event::kNone;
+  if (sensed.tick - since_ < takes + kHold) return Event::kNone;
+  if (releases_) return Event::kMissed;
+  const double rises_to_rad = Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad;
+  if (!weighs_ || rises_to_rad < kCarry_rad + kHeldDown_rad) return Event::kArrived;
+  note_ = "the scoops hold something that does not rise, and open";
+  releases_ = true;
+  since_ = sensed.tick;
+  return Event::kNone;
 }
 
 Event Grasp::Step(Phase phase, const SensorFrame& sensed) {

@@ -2,7 +2,8 @@
 // stone or the ground; then the scoops close, and as they feel resistance the arm is raised in
 // small amounts. It ends when they have come to rest, are shut, or after a time, and the arm lifts
 // them out of the cameras' view. It feels by the motors' currents alone, and weighs the arm by them
-// before and after.
+// before and after. Where it weighs, scoops that hold something that does not rise, such as a rock
+// in the ground, open again: kMissed.
 #pragma once
 
 #include <string>
@@ -58,7 +59,7 @@ class Grasp {
   double roll_rad_ = 0.0;   // commanded
   double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;
   Tick still_ = 0;
-  bool weighs_ = false;
+  bool weighs_ = false, releases_ = false;
   RisingCurrent empty_, loaded_;
   std::string note_;
 };

@@ -39,7 +39,9 @@ void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
 }
 
 void Mission::StepGrasp(const SensorFrame& sensed) {
-  On(grasp_.Step(phase_, sensed));
+  const Event event = grasp_.Step(phase_, sensed);
+  if (event == Event::kMissed) return TryAgain();
+  On(event);
   Tell(grasp_.note());
   if (phase_ != Phase::kLifted) return;
   // Sand in the scoops weighs like a stone.

@@ -28,6 +28,7 @@ constexpr Transition kGrasp[] = {{Phase::kObserve, Event::kPlanned, Phase::kDriv
                                  {Phase::kLower, Event::kTouched, Phase::kClose},
                                  {Phase::kClose, Event::kArrived, Phase::kLift},
                                  {Phase::kLift, Event::kArrived, Phase::kLifted},
+                                 {Phase::kLift, Event::kMissed, Phase::kObserve},
                                  {Phase::kLifted, Event::kHeld, Phase::kDone},
                                  {Phase::kLifted, Event::kUnsure, Phase::kInspect},
                                  {Phase::kInspect, Event::kHeld, Phase::kDone},

@@ -33,6 +33,7 @@ class ArmRig {
     if (tick_ == 0) grasp.Start(frame, weighs, aside_m);
     if (!lifted()) Follow(Task::kGrasp, grasp.Step(phase, frame), phase);
     const std::vector<MotorCommand>& commands = grasp.commands();
+    const double was_rad = rad_[1];
     for (std::size_t i = 0; i < 4; ++i) {
       if (commands[i].mode != MotorMode::kPosition) continue;
       const double step = commands[i].speed_limit_rad_s * kControlPeriod * kTickSeconds;
@@ -45,6 +46,7 @@ class ArmRig {
       rad_[2] -= 0.5 * (least_open_rad - apart);
     }
     resists = apart < least_open_rad + 1e-9;
+    if (in_ground && rad_[3] - rad_[2] < 0.3) rad_[1] = std::max(rad_[1], was_rad);
     tick_ += kControlPeriod;
   }
   /// Of both lips in the middle, about the body's y axis.
@@ -70,6 +72,7 @@ class ArmRig {
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
   bool resists = false;
+  bool in_ground = false;  // what the scoops hold does not rise
 };
 
 TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
@@ -161,6 +164,14 @@ TEST(Grasp, WeighsWhatTheScoopsHaveBroughtUp) {
     EXPECT_TRUE(rig.lifted());
     EXPECT_EQ(rig.grasp.load(), holds ? Load::kStone : Load::kNone);
   }
+}
+
+TEST(Grasp, OpensScoopsThatHoldSomethingThatDoesNotRise) {
+  ArmRig rig(NominalRover());
+  rig.weighs = rig.in_ground = true;
+  while (rig.phase != Phase::kObserve && rig.seconds() < 60.0) rig.Step();
+  EXPECT_EQ(rig.phase, Phase::kObserve);
+  EXPECT_GT(rig.height_m(), 0.28);
 }
 
 // A motor whose current reads zero feels neither stone nor ground: nothing else tells.
