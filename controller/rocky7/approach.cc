@@ -44,7 +44,10 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
       memory_{.tracker = std::move(tracker), .compares = options.sees_motion},
       drive_(nominal),
       target_(options.odometry),
-      work_(nominal.compute_s) {}
+      work_(nominal.compute_s),
+      escape_(nominal, {.most_stalls = options.most_stalls,
+                        .near_m = options.blind_beyond_m,
+                        .ground_as_body = options.ground_as_body}) {}
 
 void Approach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
@@ -71,10 +74,14 @@ Eigen::Vector2d Approach::LeftToTarget() const {
   return left_m;
 }
 
+Eigen::Vector2d Approach::Goal() const {
+  return escape_.PlaceAside(target_.p_RT(), yaw_rad_).value_or(target_.p_RT() + aim_m_);
+}
+
 std::vector<Arc> Approach::PathToTarget() const {
   if (options_.backs_up) {
-    const Eigen::Vector2d off_m = target_.p_RT() - nominal_.plan.p_RP;
-    Eigen::Vector2d p_RG = target_.p_RT() + aim_m_ - target_.DriftOn(off_m.norm());
+    const Eigen::Vector2d off_m = Goal() - aim_m_ - nominal_.plan.p_RP;
+    Eigen::Vector2d p_RG = Goal() - target_.DriftOn(off_m.norm());
     // The last bit is driven straight where the arm does the rest.
     if (off_m.norm() < kLast_m) {
       const double aside_m = kOfArm * options_.arm_aside_m;
@@ -123,19 +130,19 @@ TargetSighting Approach::Inspect(const StereoImages& images, const SensorFrame& 
   return sighting;
 }
 
-Event Approach::DecideBy(const TargetSighting& sighting, double yaw_rad) {
+Event Approach::DecideBy(const TargetSighting& sighting, const ImuSample& attitude) {
   driven_.watched = false;
   misses_ = sighting.found ? 0 : misses_ + 1;
-  if (sighting.found) return Decide(yaw_rad);
+  if (sighting.found) return Decide(attitude);
   if (misses_ >= options_.most_misses || !memory_.begun) {
     return GiveUp("lost the target: " + sighting.why);
   }
   // Far away it goes on by odometry, to detect it better; near by it takes another pair, and then
   // one from further back.
   const double off_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
-  if (off_m > options_.blind_beyond_m) return Decide(yaw_rad);
+  if (off_m > options_.blind_beyond_m) return Decide(attitude);
   const bool backs = options_.backs_up && misses_ % 2 == 0;
-  return backs ? Drive({-kStepBack_m, 0.0}, yaw_rad) : Event::kNone;
+  return backs ? Drive({-kStepBack_m, 0.0}, attitude.yaw_rad) : Event::kNone;
 }
 
 // By how much the point would miss the target at the end of the whole arc.
@@ -143,10 +150,10 @@ double Approach::OffAtEnd() const {
   const double gone = drive_.share() * driven_.part.length_m / driven_.whole.length_m;
   const Pose2 X_RE = Advance({}, Part(driven_.whole, 1.0 - gone));
   const double distance_m = (1.0 - gone) * std::abs(driven_.whole.length_m);
-  return (X_RE * nominal_.plan.p_RP + target_.DriftOn(distance_m) - target_.p_RT() - aim_m_).norm();
+  return (X_RE * nominal_.plan.p_RP + target_.DriftOn(distance_m) - Goal()).norm();
 }
 
-Event Approach::Decide(double yaw_rad) {
+Event Approach::Decide(const ImuSample& attitude) {
   const double off_m = LeftToTarget().norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {
     Tell("there", "the point is on the target");
@@ -160,10 +167,9 @@ Event Approach::Decide(double yaw_rad) {
     aim_m_ *= std::min(1.0, kMostAim_m / std::max(aim_m_.norm(), 1e-9));
   }
   driven_.aimed = false;
-  if (options_.most_stalls > 0 &&
-      retreat_.Look(off_m, options_.blind_beyond_m, options_.most_stalls)) {
+  if (escape_.Decide(target_.p_RT(), off_m, attitude)) {
     aim_m_.setZero();
-    return Drive(retreat_.Next(), yaw_rad);
+    return escape_.awaits_pair() ? Event::kNone : Drive(escape_.Next(), attitude.yaw_rad);
   }
   const std::vector<Arc> path = PathToTarget();
   if (path.empty()) return GiveUp("no arcs lead to the target");
@@ -177,7 +183,7 @@ Event Approach::Decide(double yaw_rad) {
   const double step_m = driven_.watched ? left_m - kLast_m : part_m;
   driven_.aimed = single && step_m >= left_m;
   driven_.whole = arc;
-  return Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m), yaw_rad);
+  return Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m), attitude.yaw_rad);
 }
 
 // Whether the target's surroundings are worth another pair with another exposure.
@@ -198,7 +204,14 @@ bool Approach::MayWatch() const {
   return options_.look_each_m > 0.0 && meanwhile_m <= kWhileAtWork_m;
 }
 
+Event Approach::ObserveBehind(const SensorFrame& sensed, Commands& commands) {
+  escape_.Observe(sensed, commands);
+  if (escape_.awaits_pair()) return Event::kNone;
+  return escape_.backs_off() ? Drive(escape_.Next(), sensed.imu.yaw_rad) : Decide(sensed.imu);
+}
+
 Event Approach::Observe(const SensorFrame& sensed, Commands& commands) {
+  if (escape_.awaits_pair()) return ObserveBehind(sensed, commands);
   if (const auto images = FrontPair(sensed); images && !work_.busy()) {
     request_ = {};
     if (!TooDark(images->left, sensed.imu)) work_.Begin(sensed);
@@ -206,8 +219,8 @@ Event Approach::Observe(const SensorFrame& sensed, Commands& commands) {
   if (const auto taken = work_.Done(sensed.tick)) {
     const TargetSighting sighting = Detect(*FrontPair(*taken), *taken);
     Tell(Name(Phase::kObserve), sighting.why);
-    const Event event = DecideBy(sighting, sensed.imu.yaw_rad);
-    if (event != Event::kNone) return event;
+    const Event event = DecideBy(sighting, sensed.imu);
+    if (event != Event::kNone || escape_.awaits_pair()) return event;
   }
   if (work_.busy()) return Event::kNone;
   const RequestState state = StateOf(request_, kPatience, sensed.tick);
@@ -241,6 +254,7 @@ void Approach::Watch(const SensorFrame& sensed, Commands& commands) {
   }
   const TargetSighting sighting = Detect(*FrontPair(*taken), *taken);
   driven_.misses = sighting.found ? 0 : driven_.misses + 1;
+  if (sighting.found) misses_ = 0;
   const double left_m =
       std::abs(driven_.whole.length_m) - drive_.share() * std::abs(driven_.part.length_m);
   const bool misses = OffAtEnd() > std::max(kOffAtEnd_m, kOffShare * left_m);
@@ -251,6 +265,7 @@ void Approach::Watch(const SensorFrame& sensed, Commands& commands) {
 }
 
 Event Approach::Move(Phase phase, const SensorFrame& sensed, std::vector<MotorCommand>& motors) {
+  yaw_rad_ = sensed.imu.yaw_rad;
   const bool drives = phase == Phase::kDrive;
   if (drives) motors = drive_.Step(sensed);
   target_.Step(drive_, drives, sensed);

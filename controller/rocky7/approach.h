@@ -9,10 +9,10 @@
 
 #include "controller/imaging/image_request.h"
 #include "controller/rocky7/arc_drive.h"
+#include "controller/rocky7/escape.h"
 #include "controller/rocky7/ground_perception.h"
 #include "controller/rocky7/pair_work.h"
 #include "controller/rocky7/phases.h"
-#include "controller/rocky7/retreat.h"
 
 namespace dockyard::rocky7 {
 
@@ -33,11 +33,8 @@ struct ApproachOptions {
   bool sees_motion = false;
   bool exposes_for_target = false;  // asks for more light where the target lies in the shade
   bool backs_up = false;            // two arcs where one would be too sharp, and more patience
-  // Near the target, after so many looks that came no nearer, it backs off and comes again by
-  // another way: in sand short arcs slip by more than they correct, and a wheel may stand against a
-  // stone. 0: never.
-  int most_stalls = 0;
-  int most_looks = 60;  // then it gives up: its steps are coarser than its reach
+  int most_stalls = 0;              // of EscapeOptions
+  int most_looks = 60;              // then it gives up: its steps are coarser than its reach
   // A target further from the point than this may be unseen for a look; then the way goes on.
   double blind_beyond_m = 1e9;
   int most_misses = 1;  // looks in a row without the target
@@ -75,11 +72,15 @@ class Approach {
   TargetSighting Detect(const StereoImages& images, const SensorFrame& sensed);
   /// Of the body over the ground as it is taken to be.
   void Keep(const TargetSighting& sighting, const ImuSample& attitude);
-  Event DecideBy(const TargetSighting& sighting, double yaw_rad);
-  Event Decide(double yaw_rad);
+  Event DecideBy(const TargetSighting& sighting, const ImuSample& attitude);
+  Event Decide(const ImuSample& attitude);
   Event Drive(const Arc& way, double yaw_rad);
   Event GiveUp(const std::string& why);
+  /// Before the rover backs off: by what its back pair shows.
+  Event ObserveBehind(const SensorFrame& sensed, Commands& commands);
   void Tell(const std::string& phase, const std::string& note);
+  /// Where the point should go, in R: to a place aside or to the target.
+  Eigen::Vector2d Goal() const;
   std::vector<Arc> PathToTarget() const;
   double OffAtEnd() const;
   bool TooDark(const GrayImage& left, const ImuSample& attitude);
@@ -97,7 +98,8 @@ class Approach {
   int pairs_ = 0, misses_ = 0;   // of images in all; in a row without the target
   Eigen::Vector2d aim_m_{0, 0};  // off the target, as arcs have missed it
   DrivenPart driven_;
-  Retreat retreat_;
+  double yaw_rad_ = 0.0;
+  Escape escape_;
   Belief belief_;
 };
 

@@ -19,7 +19,9 @@ constexpr ApproachOptions kOptions{.ground_as_body = true,
                                    .exposes_for_target = true,
                                    .backs_up = true,
                                    .most_stalls = 3,  // assumed, 2-5
-                                   .most_looks = 80,
+                                   // In sand uphill it goes on at a tenth of its speed. Assumed,
+                                   // 80-500.
+                                   .most_looks = 400,
                                    .blind_beyond_m = 0.25,  // assumed, 0.2-0.5
                                    .most_misses = 8};
 

@@ -157,9 +157,11 @@ Event Grasp::Lift(const SensorFrame& sensed) {
   Turn(sensed, kCarry_rad, kLift_rad_s, releases_ ? nominal_.arm.open_rad : 0.0, kLift_rad_s);
   Weigh(sensed, loaded_);
   if (sensed.tick - since_ < takes + kHold) return Event::kNone;
-  if (releases_) return Event::kMissed;
   const double rises_to_rad = Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad;
-  if (!weighs_ || rises_to_rad < kCarry_rad + kHeldDown_rad) return Event::kArrived;
+  const bool is_up = rises_to_rad < kCarry_rad + kHeldDown_rad;
+  if (is_up && releases_) return Event::kMissed;
+  if (is_up || !weighs_) return Event::kArrived;
+  if (releases_) return Event::kFailed;
   note_ = "the scoops hold something that does not rise, and open";
   releases_ = true;
   since_ = sensed.tick;

@@ -3,7 +3,7 @@
 // small amounts. It ends when they have come to rest, are shut, or after a time, and the arm lifts
 // them out of the cameras' view. It feels by the motors' currents alone, and weighs the arm by them
 // before and after. Where it weighs, scoops that hold something that does not rise, such as a rock
-// in the ground, open again: kMissed.
+// in the ground, open again: kMissed; kFailed where the arm does not rise without them either.
 #pragma once
 
 #include <string>

@@ -48,22 +48,29 @@ Disparities MatchGround(const Rectifier& rectifier, const StereoImages& images,
   return WithoutEdges(MatchSandAndStones(rectifier, images, ground), ground);
 }
 
+std::optional<StereoImages> PairOf(const SensorFrame& frame, int left_camera, int right_camera) {
+  const GrayImage* left = GrayImageOf(frame, left_camera);
+  const GrayImage* right = GrayImageOf(frame, right_camera);
+  if (left == nullptr || right == nullptr) return std::nullopt;
+  return StereoImages{*left, *right};
+}
+
 }  // namespace
 
 GroundStereo::GroundStereo(const Nominal& nominal, FrontEnd front_end)
     : nominal_(nominal), front_end_(front_end), rectifier_(nominal.front) {}
 
 GroundScan GroundStereo::Look(const StereoImages& images, const ImuSample& attitude) const {
-  GroundScan seen;
-  seen.ground_R = GroundIn(nominal_, attitude);
-  seen.X_RE = FrameOn(seen.ground_R);
-  seen.disparities = MatchGround(rectifier_, images, seen.ground_R, front_end_);
-  return seen;
+  GroundScan scan;
+  scan.ground_R = GroundIn(nominal_, attitude);
+  scan.X_RE = FrameOn(scan.ground_R);
+  scan.disparities = MatchGround(rectifier_, images, scan.ground_R, front_end_);
+  return scan;
 }
 
-GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const {
+GroundMaps GroundStereo::MapsAbout(const GroundScan& scan, const Eigen::Vector2d& p_E) const {
   const RectifiedPair& pair = rectifier_.pair();
-  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
+  const Eigen::Vector3d p_EC = (Inverse(scan.X_RE) * pair.X_RC).p;
   const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
   const double footprint_m = (away_m * away_m + up_m * up_m) / (up_m * pair.focal_px);
   ElevationSettings settings{.cell_m = kFinest_m,
@@ -71,31 +78,34 @@ GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d
                              .x_high_m = p_E.x() + kHalf_m,
                              .y_low_m = p_E.y() - kHalf_m,
                              .y_high_m = p_E.y() + kHalf_m};
-  const int block_px = BlockOf(front_end_);
   GroundMaps maps;
   maps.p_EC = p_EC;
   maps.focal_baseline_px_m = pair.focal_px * pair.baseline_m;
-  maps.fine = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  maps.fine = Heights(scan, settings);
   settings.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m);
-  maps.closed = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  maps.closed = Heights(scan, settings);
   FillGaps(kGap_cells, maps.closed);
   return maps;
 }
 
-GroundImage GroundStereo::ImageAhead(const GroundScan& seen, const StereoImages& images) const {
+ElevationMap GroundStereo::Heights(const GroundScan& scan, const ElevationSettings& window) const {
+  return MapHeights(rectifier_.pair(), scan.disparities, scan.ground_R, BlockOf(front_end_),
+                    window);
+}
+
+GroundImage GroundStereo::ImageAhead(const GroundScan& scan, const StereoImages& images) const {
   const RectifiedPair& pair = rectifier_.pair();
-  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
-  ElevationMap heights = MapHeights(pair, seen.disparities, seen.ground_R, BlockOf(front_end_),
-                                    {.cell_m = kFinest_m,
-                                     .x_low_m = p_EC.x(),
-                                     .x_high_m = p_EC.x() + kAhead_m,
-                                     .y_low_m = -kAside_m,
-                                     .y_high_m = kAside_m});
+  const Eigen::Vector3d p_EC = (Inverse(scan.X_RE) * pair.X_RC).p;
+  ElevationMap heights = Heights(scan, {.cell_m = kFinest_m,
+                                        .x_low_m = p_EC.x(),
+                                        .x_high_m = p_EC.x() + kAhead_m,
+                                        .y_low_m = -kAside_m,
+                                        .y_high_m = kAside_m});
   FillGaps(kGap_cells, heights);
   return FromAbove(pair, rectifier_.Rectified(images).left, heights);
 }
 
-std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& seen,
+std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& scan,
                                                      const Eigen::Vector2d& pixel) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d ray_C =
@@ -107,30 +117,31 @@ std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& seen,
   for (int v = v0 - kAbout_px; v <= v0 + kAbout_px; ++v) {
     for (int u = u0 - kAbout_px; u <= u0 + kAbout_px; ++u) {
       if (u < 0 || v < 0 || u >= pair.width || v >= pair.height) continue;
-      const double disparity_px = seen.disparities.at(u, v);
+      const double disparity_px = scan.disparities.at(u, v);
       if (std::isfinite(disparity_px) && disparity_px > 0.0) found.push_back(disparity_px);
     }
   }
   if (found.empty()) return std::nullopt;
   const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), Median(std::move(found)));
-  const Eigen::Vector3d p_E = Inverse(seen.X_RE) * (pair.X_RC * p_C);
+  const Eigen::Vector3d p_E = Inverse(scan.X_RE) * (pair.X_RC * p_C);
   return p_E.head<2>().eval();
 }
 
-std::optional<Clicked> GroundStereo::ClickOf(const GroundScan& seen,
+std::optional<Clicked> GroundStereo::ClickOf(const GroundScan& scan,
                                              const Eigen::Vector2d& pixel) const {
-  const auto p_E = PlaceOf(seen, pixel);
+  const auto p_E = PlaceOf(scan, pixel);
   if (!p_E) return std::nullopt;
-  const Eigen::Matrix3d R_EL = seen.X_RE.R.transpose() * nominal_.front.X_RL.R;
+  const Eigen::Matrix3d R_EL = scan.X_RE.R.transpose() * nominal_.front.X_RL.R;
   return Clicked{*p_E, R_EL * nominal_.front.left.Direction(pixel),
                  kClick_px / rectifier_.pair().focal_px};
 }
 
 std::optional<StereoImages> FrontPair(const SensorFrame& frame) {
-  const GrayImage* left = GrayImageOf(frame, kFrontLeft);
-  const GrayImage* right = GrayImageOf(frame, kFrontRight);
-  if (left == nullptr || right == nullptr) return std::nullopt;
-  return StereoImages{*left, *right};
+  return PairOf(frame, kFrontLeft, kFrontRight);
+}
+
+std::optional<StereoImages> BackPair(const SensorFrame& frame) {
+  return PairOf(frame, kBackLeft, kBackRight);
 }
 
 Tick ExposureOfFront(const SensorFrame& frame) {

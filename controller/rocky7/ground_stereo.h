@@ -45,17 +45,20 @@ class GroundStereo {
 
   /// The place of the ground, in E, that a pixel of the left camera shows; none without range data
   /// about it.
-  std::optional<Eigen::Vector2d> PlaceOf(const GroundScan& seen,
+  std::optional<Eigen::Vector2d> PlaceOf(const GroundScan& scan,
                                          const Eigen::Vector2d& pixel) const;
 
   /// The click with the place that it shows; none as above.
-  std::optional<Clicked> ClickOf(const GroundScan& seen, const Eigen::Vector2d& pixel) const;
+  std::optional<Clicked> ClickOf(const GroundScan& scan, const Eigen::Vector2d& pixel) const;
 
   /// Heights about a place of E.
-  GroundMaps MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const;
+  GroundMaps MapsAbout(const GroundScan& scan, const Eigen::Vector2d& p_E) const;
+
+  /// Heights in a window of E.
+  ElevationMap Heights(const GroundScan& scan, const ElevationSettings& window) const;
 
   /// The ground ahead from above, of the pictures that Look() got.
-  GroundImage ImageAhead(const GroundScan& seen, const StereoImages& images) const;
+  GroundImage ImageAhead(const GroundScan& scan, const StereoImages& images) const;
 
  private:
   Nominal nominal_;
@@ -63,8 +66,9 @@ class GroundStereo {
   Rectifier rectifier_;
 };
 
-/// The pair of a frame; none unless it has both pictures.
+/// A pair of a frame; none unless it has both images.
 std::optional<StereoImages> FrontPair(const SensorFrame& frame);
+std::optional<StereoImages> BackPair(const SensorFrame& frame);
 
 /// When that pair was exposed; the frame's own time without one.
 Tick ExposureOfFront(const SensorFrame& frame);

@@ -42,7 +42,7 @@ void Mission::StepGrasp(const SensorFrame& sensed) {
   const Event event = grasp_.Step(phase_, sensed);
   if (event == Event::kMissed) return TryAgain();
   On(event);
-  Tell(grasp_.note());
+  Tell(event == Event::kFailed ? "the arm does not come up" : grasp_.note());
   if (phase_ != Phase::kLifted) return;
   // Sand in the scoops weighs like a stone.
   On(options_.inspects ? Event::kUnsure : Event::kHeld);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "controller/motion/clearance.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
@@ -15,11 +17,13 @@ constexpr int kMostFarStalls = 4;
 // Assumed, 3-6, 0.1-0.2 m and 1-2 m: sharper arcs get stuck in sand.
 constexpr int kRetreatSteps = 4;
 constexpr double kRetreatStep_m = 0.15, kRetreatRadius_m = 1.5;
+// From what is behind. Assumed, 2-5 cm.
+constexpr double kClear_m = 0.03;
 
 }  // namespace
 
-bool Retreat::Look(double off_m, double near_m, int most_stalls) {
-  if (steps_left_ > 0) return true;
+bool Retreat::Decide(double off_m, double near_m, int most_stalls) {
+  if (HasArcs()) return true;
   const bool is_far = off_m > near_m;
   Progress& progress = is_far ? far_ : near_;
   if (is_far) near_ = {};
@@ -28,16 +32,39 @@ bool Retreat::Look(double off_m, double near_m, int most_stalls) {
   progress.nearest_m = std::min(progress.nearest_m, off_m);
   if (progress.stalls < (is_far ? kMostFarStalls : most_stalls)) return false;
   far_ = near_ = {};
-  ++retreats_;
-  steps_left_ = kRetreatSteps;
+  side_ = -side_;
+  driven_ = 0;
+  steps_ = kRetreatSteps;
   return true;
 }
 
-Arc Retreat::Next() {
-  const bool first_half = 2 * steps_left_ > kRetreatSteps;
-  --steps_left_;
-  const double side = (retreats_ % 2 == 0) == first_half ? 1.0 : -1.0;
-  return {-kRetreatStep_m, side * kRetreatStep_m / kRetreatRadius_m};
+std::vector<Arc> Retreat::Arcs() const {
+  std::vector<Arc> arcs;
+  for (int i = 0; i < kRetreatSteps; ++i) {
+    const double side = 2 * i < kRetreatSteps ? side_ : -side_;
+    arcs.push_back({-kRetreatStep_m, side * kRetreatStep_m / kRetreatRadius_m});
+  }
+  return arcs;
 }
+
+void Retreat::KeepOff(const RoverPlan& rover, const Obstacles& behind_R) {
+  const auto clear_arcs = [&] {
+    std::vector<Arc> path = Arcs();
+    while (!path.empty() && Clearance(rover, path, behind_R, kClear_m) < kClear_m) path.pop_back();
+    return static_cast<int>(path.size());
+  };
+  steps_ = clear_arcs();
+  if (steps_ < kRetreatSteps) {
+    side_ = -side_;
+    const int others = clear_arcs();
+    if (others > steps_) {
+      steps_ = others;
+    } else {
+      side_ = -side_;
+    }
+  }
+}
+
+Arc Retreat::Next() { return Arcs()[static_cast<std::size_t>(driven_++)]; }
 
 }  // namespace dockyard::rocky7

@@ -41,6 +41,13 @@ constexpr double kSurely = 0.8;  // chance that it is a stone; assumed, 0.6-0.95
 constexpr int kNotAgain = 2;
 constexpr double kOneStone_m = 0.035;
 
+// Middles of two stones are no nearer to each other: one of 3 cm and one of 2 cm that touch.
+// Assumed, 2.2-3 cm.
+constexpr double kTwin_m = 0.025;
+// A stone that images show again and again may be wrong all the same: so that it can fade. Assumed,
+// 0.99-0.9999.
+constexpr double kMostReal = 0.999;
+
 }  // namespace
 
 Matrix2d ClickRay::SpreadAt(double height_m) const {
@@ -123,6 +130,13 @@ bool StoneMemory::Begin(const ClickRay& click, double ground_m,
 
 bool StoneMemory::HasSeenTargetWell() const { return target().real > kSurely; }
 
+bool StoneMemory::IsNeighbour(const Vector2d& from_target_m) const {
+  const Vector2d p = target().p + from_target_m;
+  return std::any_of(stones_.begin() + 1, stones_.end(), [&](const FieldStone& other) {
+    return other.real > kDoubtful && (other.p - p).norm() < from_target_m.norm();
+  });
+}
+
 void StoneMemory::Loosen(double by_m) {
   stones_.front().spread_m2 += by_m * by_m * Matrix2d::Identity();
 }
@@ -148,13 +162,14 @@ void StoneMemory::Learn(const std::vector<FieldStone>& seen, const FieldMatch& m
     stone.spread_m2 =
         (Matrix2d::Identity() - gain) * stone.spread_m2 + kBest_m * kBest_m * Matrix2d::Identity();
     stone.ground_m = seen[j].ground_m;
-    stone.real = 1.0 - (1.0 - stone.real) * (1.0 - seen[j].real);
+    stone.real = std::min(kMostReal, 1.0 - (1.0 - stone.real) * (1.0 - seen[j].real));
     const double was = stone.height_sigma_m, is = seen[j].height_sigma_m;
     const double off = seen[j].height_m - stone.height_m;
     if (std::abs(off) > kWildHeight * std::hypot(was, is)) continue;
     stone.height_m += was * was / (was * was + is * is) * off;
     stone.height_sigma_m = std::max(kBest_m, was * is / std::hypot(was, is));
   }
+  MergeTwins(match.seen);
   // A new one in an old one's place is that one, seen worse before. Of the target the click tells.
   for (std::size_t j = 0; j < seen.size(); ++j) {
     if (known[j]) continue;
@@ -172,6 +187,24 @@ void StoneMemory::Learn(const std::vector<FieldStone>& seen, const FieldMatch& m
                    [](const FieldStone& a, const FieldStone& b) { return a.real > b.real; });
   while (stones_.size() > kMostStones || (stones_.size() > 1 && stones_.back().real < kForgotten)) {
     stones_.pop_back();
+  }
+}
+
+void StoneMemory::MergeTwins(std::vector<int> shown) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    for (std::size_t j = i + 1; j < shown.size();) {
+      const bool twins =
+          (shown[i] < 0) != (shown[j] < 0) && (stones_[i].p - stones_[j].p).norm() < kTwin_m;
+      if (!twins) {
+        ++j;
+        continue;
+      }
+      if (shown[i] < 0) stones_[i] = stones_[j];
+      shown[i] = std::max(shown[i], shown[j]);
+      shown.erase(shown.begin() + static_cast<std::ptrdiff_t>(j));
+      stones_.erase(stones_.begin() + static_cast<std::ptrdiff_t>(j));
+      if (i == 0) missed_ = 0;
+    }
   }
 }
 

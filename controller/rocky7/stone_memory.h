@@ -40,6 +40,8 @@ class StoneMemory {
   void Choose();
   void Settle() { settled_ = true; }
   bool HasSeenTargetWell() const;
+  /// Whether a stone so far from the target's place is rather one of the others.
+  bool IsNeighbour(const Eigen::Vector2d& from_target_m) const;
   /// The target may have been pushed.
   void Loosen(double by_m);
 
@@ -47,6 +49,9 @@ class StoneMemory {
   double Likelihood(const FieldStone& stone) const;
   bool IsOnRay(const FieldStone& stone) const;
   void TakeWhole();
+  /// Two places so near to each other are of one stone: the place that this image shows counts.
+  /// shown: by stone, < 0 where it does not.
+  void MergeTwins(std::vector<int> shown);
 
   std::vector<FieldStone> stones_;
   ClickRay click_;

@@ -126,7 +126,8 @@ TargetSighting StoneTracker::Check(const GroundMaps& maps, const Pose2& X_ET) {
   near.apart_m = 0.0;
   const StoneMiddle stone = FindStone(maps.fine, {X_ET.x, X_ET.y}, near);
   const bool stands = stone.verdict == StoneVerdict::kFound &&
-                      stone.height_m > kHeapShare * memory_.target().height_m;
+                      stone.height_m > kHeapShare * memory_.target().height_m &&
+                      !memory_.IsNeighbour(stone.p_E - Vector2d(X_ET.x, X_ET.y));
   const bool seen = stone.verdict != StoneVerdict::kUnseen;
   memory_.Loosen(kPushed_m);
   return {.found = stands,

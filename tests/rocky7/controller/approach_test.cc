@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "controller/motion/clearance.h"
 #include "controller/rocky7/dockyard.h"
 #include "controller/rocky7/paths_to_point.h"
 #include "rocky7/controller/nominal_rover.h"
@@ -62,30 +63,64 @@ TEST(GentleArcsToPoint, LeadBackAtFirstAndTurnNoSharperThanAMetre) {
 TEST(Retreat, BeginsFarAwayWhereTheRoverIsStuck) {
   Retreat retreat;
   for (const double off_m : {0.95, 0.90, 0.85, 0.84, 0.845, 0.838}) {
-    EXPECT_FALSE(retreat.Look(off_m, 0.25, 3)) << off_m;
+    EXPECT_FALSE(retreat.Decide(off_m, 0.25, 3)) << off_m;
   }
-  EXPECT_TRUE(retreat.Look(0.843, 0.25, 3));
+  EXPECT_TRUE(retreat.Decide(0.843, 0.25, 3));
 }
 
 TEST(Retreat, BeginsAfterThreeLooksThatCameNoNearerAndTakesTurnsAside) {
   Retreat retreat;
-  EXPECT_FALSE(retreat.Look(0.5, 0.25, 3));
-  EXPECT_FALSE(retreat.Look(0.10, 0.25, 3));
-  EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
-  EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
-  EXPECT_FALSE(retreat.Look(0.06, 0.25, 3));
+  EXPECT_FALSE(retreat.Decide(0.5, 0.25, 3));
+  EXPECT_FALSE(retreat.Decide(0.10, 0.25, 3));
+  EXPECT_FALSE(retreat.Decide(0.05, 0.25, 3));
+  EXPECT_FALSE(retreat.Decide(0.05, 0.25, 3));
+  EXPECT_FALSE(retreat.Decide(0.06, 0.25, 3));
   std::vector<double> ends_m;
   for (int time = 0; time < 2; ++time) {
     std::vector<Arc> path;
-    while (retreat.Look(0.05, 0.25, 3)) path.push_back(retreat.Next());
+    while (retreat.Decide(0.05, 0.25, 3)) path.push_back(retreat.Next());
     const Pose2 end = Advance({}, path);
     EXPECT_LT(end.x, -0.55);
     EXPECT_NEAR(end.heading, 0.0, 1e-12);
     ends_m.push_back(end.y);
-    for (int look = 0; look < 2; ++look) EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
+    for (int pair = 0; pair < 2; ++pair) EXPECT_FALSE(retreat.Decide(0.05, 0.25, 3));
   }
   EXPECT_GT(std::abs(ends_m[0]), 0.05);
   EXPECT_NEAR(ends_m[0], -ends_m[1], 1e-12);
+}
+
+Obstacles DiscAt(double x, double y) {
+  Obstacles obstacles;
+  obstacles.discs.push_back({{x, y}, 0.03});
+  return obstacles;
+}
+
+std::vector<Arc> RetreatBefore(const Obstacles& behind_R) {
+  const Nominal nominal = NominalRover();
+  Retreat retreat;
+  for (int pair = 0; pair < 4; ++pair) retreat.Decide(0.05, 0.25, 3);
+  std::vector<Arc> path;
+  retreat.KeepOff(nominal.plan, behind_R);
+  while (retreat.HasArcs()) path.push_back(retreat.Next());
+  return path;
+}
+
+// The left wheels' track is 0.2 m to the left: what lies to its left, behind, blocks the retreat
+// to the left alone. It stops before an obstacle in each track.
+TEST(Retreat, KeepsOffWhatIsBehind) {
+  const std::vector<Arc> free = RetreatBefore({});
+  ASSERT_EQ(free.size(), 4u);
+  const double aside_m = Advance({}, free).y;
+  const double at_m = std::copysign(0.30, aside_m);
+  const std::vector<Arc> other = RetreatBefore(DiscAt(-0.7, at_m));
+  ASSERT_EQ(other.size(), 4u);
+  EXPECT_NEAR(Advance({}, other).y, -aside_m, 1e-12);
+  Obstacles both = DiscAt(-0.65, 0.2);
+  both.discs.push_back({{-0.65, -0.2}, 0.03});
+  const std::vector<Arc> some = RetreatBefore(both);
+  ASSERT_THAT(some.size(), testing::AllOf(testing::Ge(1u), testing::Lt(4u)));
+  EXPECT_GT(Clearance(NominalRover().plan, some, both, 1.0), 0.0);
+  EXPECT_TRUE(RetreatBefore(DiscAt(-0.18, 0.2)).empty());
 }
 
 SensorFrame Frame(Tick tick) {

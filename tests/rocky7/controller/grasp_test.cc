@@ -46,7 +46,7 @@ class ArmRig {
       rad_[2] -= 0.5 * (least_open_rad - apart);
     }
     resists = apart < least_open_rad + 1e-9;
-    if (in_ground && rad_[3] - rad_[2] < 0.3) rad_[1] = std::max(rad_[1], was_rad);
+    if (in_ground && rad_[3] - rad_[2] < holds_below_rad) rad_[1] = std::max(rad_[1], was_rad);
     tick_ += kControlPeriod;
   }
   /// Of both lips in the middle, about the body's y axis.
@@ -72,7 +72,8 @@ class ArmRig {
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
   bool resists = false;
-  bool in_ground = false;  // what the scoops hold does not rise
+  bool in_ground = false;        // what the scoops hold does not rise
+  double holds_below_rad = 0.3;  // with the scoops open by less
 };
 
 TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
@@ -172,6 +173,17 @@ TEST(Grasp, OpensScoopsThatHoldSomethingThatDoesNotRise) {
   while (rig.phase != Phase::kObserve && rig.seconds() < 60.0) rig.Step();
   EXPECT_EQ(rig.phase, Phase::kObserve);
   EXPECT_GT(rig.height_m(), 0.28);
+}
+
+TEST(Grasp, GivesUpWhereTheArmDoesNotComeUp) {
+  ArmRig rig(NominalRover());
+  rig.weighs = true;
+  while (!IsOver(rig.phase) && rig.seconds() < 90.0) {
+    rig.in_ground = rig.phase == Phase::kLift;
+    rig.holds_below_rad = 10.0;
+    rig.Step();
+  }
+  EXPECT_EQ(rig.phase, Phase::kGivenUp);
 }
 
 // A motor whose current reads zero feels neither stone nor ground: nothing else tells.

@@ -10,7 +10,7 @@
 namespace dockyard::rocky7 {
 namespace {
 
-// A ball that stands out of the ground by 3 cm, ahead of R by x and aside by y; pictures by casting
+// A ball that stands out of the ground by 3 cm, ahead of R by x and aside by y; images by casting
 // rays. The scene's origin is R's, so the ground lies at -0.07 m there.
 struct Sample {
   Nominal nominal = NominalRover();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "controller/io/commands.h"
+#include "controller/motion/arcs.h"
 #include "controller/rocky7/mast.h"
 #include "rocky7/controller/face_scene.h"
 
@@ -107,7 +108,7 @@ struct IdealRover {
     return frame;
   }
 
-  /// Puts the user's click where the first picture shows the face's point.
+  /// Puts the user's click where the first image shows the face's point.
   void Click() {
     const Pose3 X_WK =
         FromGround(X_WR, nominal.rolling_radius_m) * SecondLink(nominal.mast, mast());

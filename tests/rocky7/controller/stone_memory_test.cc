@@ -110,6 +110,30 @@ TEST(StoneMemory, ASettledTargetThatIsNotDetectedAgainWasAPartOfTheStoneNextToIt
   }
 }
 
+// One stone was detected as two, 2 cm apart, and the target is the place that images do not show
+// again. Stones 3 cm apart are two.
+TEST(StoneMemory, TwoPlacesOfOneStoneBecomeOne) {
+  for (const double away_m : {0.02, 0.03}) {
+    const Vector2d wrong(0.9, 0.0), right(0.9 + away_m, 0.0);
+    StoneMemory memory = Begun({Stone(wrong), Stone(right)}, wrong);
+    ASSERT_EQ(memory.target().p, wrong);
+    memory.Learn({Stone(right)}, OnlyAt(right, memory), kField);
+    EXPECT_EQ(memory.stones().size(), away_m < 0.025 ? 1u : 2u);
+    EXPECT_EQ((memory.target().p - right).norm() < 1e-9, away_m < 0.025);
+  }
+}
+
+TEST(StoneMemory, AStoneThatWasDetectedOftenCanStillFade) {
+  StoneMemory memory = Begun({Stone({0.9, 0.0})}, {0.9, 0.0});
+  for (int pair = 0; pair < 30; ++pair) {
+    FieldMatch match = None(memory);
+    match.seen[0] = 0;
+    memory.Learn({Stone({0.9, 0.0})}, match, kField);
+  }
+  for (int pair = 0; pair < 8; ++pair) memory.Learn({}, None(memory), kField);
+  EXPECT_LT(memory.target().real, 0.1);
+}
+
 // Bayes: of a stone that is there a share is missed, of none all.
 TEST(StoneMemory, AStoneThatIsMissedFadesAsBayesSays) {
   StoneMemory memory = Begun({Stone({0.9, 0.0})}, {0.9, 0.0});

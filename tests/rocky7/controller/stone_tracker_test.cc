@@ -69,6 +69,19 @@ TEST(StoneTracker, SaysThatItsStoneIsGoneThoughANeighbourStandsThere) {
   EXPECT_TRUE(seen.gone);
 }
 
+// A neighbour 4 cm aside, lower than the target by a fifth, is what is left in the inspected
+// window.
+TEST(StoneTracker, DoesNotTakeANeighbourForAStoneThatTheScoopsHaveLifted) {
+  HeightScene scene{{{{0.6, 0.0}, 0.02, 0.02}, {{0.6, -0.045}, 0.015, 0.016}}};
+  StoneTracker tracker;
+  ASSERT_TRUE(tracker.Begin(Maps(scene, {}, 1e-3, 8), ClickOn({0.6, 0.0}, 0.01)).found);
+  EXPECT_TRUE(tracker.Check(Maps(scene, {}, 1e-3, 9), {0.6, 0.0, 0.0}).found);
+  scene.stones.erase(scene.stones.begin());
+  const TargetSighting after = tracker.Check(Maps(scene, {}, 1e-3, 10), {0.6, 0.0, 0.0});
+  EXPECT_FALSE(after.found);
+  EXPECT_TRUE(after.gone);
+}
+
 // The rover's wheels turned on the spot: all stones are further ahead than odometry has them.
 TEST(StoneTracker, FindsItsStoneThoughTheRoverStoodStill) {
   const HeightScene scene{{{{0.8, 0.0}, 0.02, 0.02}}};
