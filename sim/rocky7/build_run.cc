@@ -13,6 +13,7 @@
 #include "sim/plant/yard.h"
 #include "sim/rigid/rocks.h"
 #include "sim/rocky7/gravel.h"
+#include "sim/rocky7/placeable_rock.h"
 #include "sim/scenario/rock_keys.h"
 #include "sim/vehicles/boulder.h"
 #include "sim/vehicles/rounded_rock.h"
@@ -51,15 +52,26 @@ ConvexBody TargetStone(const Rocky7Keys& keys, const Seed& seed) {
   return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;
 }
 
-StarBody BoulderOf(const Rocky7Keys& keys, std::uint64_t key) {
-  if (keys.boulder == BoulderKind::kRounded) {
-    return MakeRoundedRock({.width_m = keys.boulder_m,
-                            .target_up_m = keys.target_up_m,
-                            .face_up_rad = keys.face_up_rad,
-                            .face_turn_rad = keys.face_turn_rad,
-                            .roughness_m = keys.roughness_m},
-                           key);
-  }
+StarBody RockOf(const Scenario& scenario, const Rocky7Keys& keys, const RoverModel& rover,
+                std::uint64_t key) {
+  const RoundedRockShape shape{.width_m = keys.boulder_m,
+                               .target_up_m = keys.target_up_m,
+                               .face_up_rad = keys.face_up_rad,
+                               .face_turn_rad = keys.face_turn_rad,
+                               .roughness_m = keys.roughness_m};
+  if (!keys.placeable) return MakeRoundedRock(shape, key);
+  auto rock = PlaceableRock(shape, rover, key);
+  if (rock) return *std::move(rock);
+  throw ConfigError(scenario.start_place +
+                    ": expected a rounded rock on which the mast can place its instrument, found "
+                    "none with rocky7.face_up_deg " +
+                    NumberText(Degrees(keys.face_up_rad)) + " at rocky7.target_up_m " +
+                    NumberText(keys.target_up_m));
+}
+
+StarBody BoulderOf(const Scenario& scenario, const Rocky7Keys& keys, const RoverModel& rover,
+                   std::uint64_t key) {
+  if (keys.boulder == BoulderKind::kRounded) return RockOf(scenario, keys, rover, key);
   const BoulderShape shape{.width_m = keys.boulder_m,
                            .target_up_m = keys.target_up_m,
                            .face_up_rad = keys.face_up_rad,
@@ -149,7 +161,8 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
     world.target_buried = models.keys.buried;
   }
   if (models.keys.task == Task::kPlace) {
-    world.boulder = BoulderOf(models.keys, StreamKey(scenario.seed, "target"));
+    world.boulder = BoulderOf(scenario, models.keys, models.nominal.robot.rover,
+                              StreamKey(scenario.seed, "target"));
     world.target_G = {0.0, 0.0, models.keys.target_up_m};
   }
   world.stone_friction = scenario.rocks.friction;

@@ -47,6 +47,8 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
               {"faced", "rounded"});
   keys.Allow("rim_m", values.boulder == BoulderKind::kFaced,
              "no such key with boulder: rounded, which has no edge");
+  keys.Allow("placeable", values.boulder == BoulderKind::kRounded,
+             "no such key without boulder: rounded");
   keys.Number({"boulder_m", "m", "to place on: the boulder's width"}, values.boulder_m,
               Between(0.3, 1.5));
   keys.Number({"target_up_m", "m",
@@ -65,6 +67,10 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
       values.rim_m, Between(0.005, 0.3));
   keys.Number({"roughness_m", "m", "the same: root mean square over 12 to 100 mm"},
               values.roughness_m, Between(0.0, 0.01));
+  keys.Bool({"placeable", "",
+             "a rounded rock is drawn again until the instrument can rest on the target and the "
+             "mast reaches the normal there"},
+            values.placeable);
   keys.Degrees({"tilt_deg", "deg", "how near to the surface's normal the instrument must stand"},
                values.tilt_rad, Between(0.5, 45.0));
   keys.Number({"most_n", "N", "what the instrument may press with"}, values.most_n,

@@ -40,6 +40,7 @@ struct Rocky7Keys {
   double face_turn_rad = 0.0;          // of that normal in plan
   double rim_m = 0.1;                  // from its middle to its upper edge; assumed, 0.02-0.15
   double roughness_m = 1e-3;           // assumed, 0.5-3 mm
+  bool placeable = false;              // of a rounded rock: drawn again until it is
   double tilt_rad = Radians(5.0);      // the instrument must stand so near to the normal: 5 deg
   double most_n = 10.0;                // and must not press more
   double click_px = 1.5;  // of the user's click, 1 sigma along each side; assumed, 0.5-4
