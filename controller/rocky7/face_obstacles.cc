@@ -1,11 +1,11 @@
 #include "controller/rocky7/face_obstacles.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "controller/stereo/ground_plane.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -21,9 +21,6 @@ constexpr double kObstaclesWithin_m = 2.5;
 
 // One pixel in three along rows and columns is enough for the ground. Assumed, 2-6.
 constexpr int kEach_px = 3;
-// Points of the ground are within this of the plane that is expected, then of the one found: the
-// mast's joints and the attitude err by a degree together. Assumed, 8-15 cm and 2-4 cm.
-constexpr std::array kBands_m{0.12, 0.06, 0.03};
 // Not on the boulder itself; assumed, 0.4-0.7 m. With fewer points the plane of before counts;
 // assumed, 100-500.
 constexpr double kOffBoulder_m = 0.5;
@@ -41,22 +38,8 @@ Eigen::Vector3d GroundOf(const FaceView& view, const Eigen::Vector2d& p_E) {
       if (away_m > kOffBoulder_m && away_m < kObstaclesWithin_m) points.push_back(p);
     }
   }
-  Eigen::Vector3d plane(0.0, view.ground_rise.x(), view.ground_rise.y());
-  for (const double band_m : kBands_m) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    int count = 0;
-    for (const Eigen::Vector3d& p : points) {
-      const Eigen::Vector3d row(1.0, p.x(), p.y());
-      if (std::abs(p.z() - row.dot(plane)) > band_m) continue;
-      normal += row * row.transpose();
-      right += p.z() * row;
-      ++count;
-    }
-    if (count < kLeastGround) break;
-    plane = normal.ldlt().solve(right);
-  }
-  return plane;
+  const Eigen::Vector3d expected(0.0, view.ground_rise.x(), view.ground_rise.y());
+  return FitGroundPlane(points, expected, kLeastGround).value_or(expected);
 }
 
 }  // namespace

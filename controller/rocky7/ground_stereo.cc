@@ -7,6 +7,7 @@
 
 #include "controller/base/median.h"
 #include "controller/stereo/fill_gaps.h"
+#include "controller/stereo/ground_plane.h"
 #include "controller/stereo/sand_and_stones.h"
 
 namespace dockyard::rocky7 {
@@ -26,6 +27,13 @@ constexpr int kGap_cells = 3;
 // Of the ground ahead of the cameras so much tells the rover's motion; further away a pixel shows
 // more than a cell. Assumed, 0.7-1.2 m and 0.4-0.7 m.
 constexpr double kAhead_m = 0.95, kAside_m = 0.5;
+// The plane of the ground where users click: from the rover's front to so far away and aside.
+// Assumed, 2-3 m and 0.6-1 m. Cells (assumed, 2-5 cm), and their least number (assumed, 100-500).
+constexpr double kPlaneFrom_m = 0.5, kPlaneTo_m = 2.4, kPlaneAside_m = 0.8, kPlaneCell_m = 0.03;
+constexpr int kLeastPlaneCells = 200;
+// A click's range is wild that many sigmas off that plane (assumed, 2-4), of which the ground
+// departs by so much (assumed, 0.5-2 cm).
+constexpr double kWildClick = 2.5, kPlane_m = 0.01;
 
 // Level ground below R, in R.
 Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
@@ -132,8 +140,39 @@ std::optional<Clicked> GroundStereo::ClickOf(const GroundScan& scan,
   const auto p_E = PlaceOf(scan, pixel);
   if (!p_E) return std::nullopt;
   const Eigen::Matrix3d R_EL = scan.X_RE.R.transpose() * nominal_.front.X_RL.R;
-  return Clicked{*p_E, R_EL * nominal_.front.left.Direction(pixel),
-                 kClick_px / rectifier_.pair().focal_px};
+  Clicked clicked{*p_E, R_EL * nominal_.front.left.Direction(pixel),
+                  kClick_px / rectifier_.pair().focal_px};
+  if (front_end_ == FrontEnd::kBlocks7) return clicked;
+  const auto on_ground = OnGround(scan, clicked.ray_E);
+  if (!on_ground) return clicked;
+  const Eigen::Vector3d p_EC = (Inverse(scan.X_RE) * rectifier_.pair().X_RC).p;
+  const double r = (*on_ground - p_EC.head<2>()).norm(), h = p_EC.z();
+  const double sigma_m = std::hypot(clicked.sigma_rad * (r * r + h * h) / h, kPlane_m * r / h);
+  if ((clicked.p_E - *on_ground).norm() > kWildClick * sigma_m) clicked.p_E = *on_ground;
+  return clicked;
+}
+
+std::optional<Eigen::Vector2d> GroundStereo::OnGround(const GroundScan& scan,
+                                                      const Eigen::Vector3d& ray_E) const {
+  const ElevationMap map = Heights(scan, {.cell_m = kPlaneCell_m,
+                                          .x_low_m = kPlaneFrom_m,
+                                          .x_high_m = kPlaneTo_m,
+                                          .y_low_m = -kPlaneAside_m,
+                                          .y_high_m = kPlaneAside_m});
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < map.nx * map.ny; ++i) {
+    const double height_m = map.height_m[static_cast<std::size_t>(i)];
+    if (std::isnan(height_m)) continue;
+    points.emplace_back(map.x0_m + map.cell_m * (i % map.nx), map.y0_m + map.cell_m * (i / map.nx),
+                        height_m);
+  }
+  const auto plane = FitGroundPlane(points, Eigen::Vector3d::Zero(), kLeastPlaneCells);
+  if (!plane) return std::nullopt;
+  const Eigen::Vector3d p_EC = (Inverse(scan.X_RE) * rectifier_.pair().X_RC).p;
+  const double falls = ray_E.z() - plane->tail<2>().dot(ray_E.head<2>());
+  if (falls >= 0.0) return std::nullopt;
+  const double over_m = p_EC.z() - plane->dot(Eigen::Vector3d(1.0, p_EC.x(), p_EC.y()));
+  return (p_EC - over_m / falls * ray_E).head<2>().eval();
 }
 
 std::optional<StereoImages> FrontPair(const SensorFrame& frame) {

@@ -48,7 +48,8 @@ class GroundStereo {
   std::optional<Eigen::Vector2d> PlaceOf(const GroundScan& scan,
                                          const Eigen::Vector2d& pixel) const;
 
-  /// The click with the place that it shows; none as above.
+  /// The click with the place that it shows; none as above. By our own matcher a range that is far
+  /// off the ground's plane, as the same images show it, gives way to the ray's place on that.
   std::optional<Clicked> ClickOf(const GroundScan& scan, const Eigen::Vector2d& pixel) const;
 
   /// Heights about a place of E.
@@ -62,6 +63,11 @@ class GroundStereo {
 
  private:
   Nominal nominal_;
+  /// Where a ray from the cameras meets the plane of the ground ahead; none where images show too
+  /// little of it.
+  std::optional<Eigen::Vector2d> OnGround(const GroundScan& scan,
+                                          const Eigen::Vector3d& ray_E) const;
+
   FrontEnd front_end_;
   Rectifier rectifier_;
 };

@@ -41,6 +41,30 @@ TEST(GroundStereo, PlacesAClickOnAStoneWithinACentimetreAndAHalf) {
   }
 }
 
+// All that is as far along the optical axis as the click has half of its disparity, as by a wrong
+// match. The paper's front end takes the range as it is.
+TEST(GroundStereo, AWildRangeAtTheClickGivesWayToTheGround) {
+  const Sample sample(1.0, 0.1);
+  for (const FrontEnd front_end : {FrontEnd::kSandAndStones, FrontEnd::kBlocks7}) {
+    const GroundStereo stereo(sample.nominal, front_end);
+    GroundScan scan = stereo.Look(sample.images, {});
+    ASSERT_NEAR(stereo.ClickOf(scan, sample.top_px).value().p_E.x(), 0.98, 0.03);
+    // 0.58 m ahead of the cameras and 0.28 m below them, which are turned down by 45 deg.
+    const double depth_m = (0.58 + 0.28) * std::sqrt(0.5);
+    const double at_click_px = stereo.MapsAbout(scan, {1.0, 0.1}).focal_baseline_px_m / depth_m;
+    for (float& px : scan.disparities.px) {
+      if (std::abs(px / at_click_px - 1.0) < 0.06) px *= 0.5F;
+    }
+    const auto wild = stereo.ClickOf(scan, sample.top_px);
+    ASSERT_TRUE(wild);
+    if (front_end == FrontEnd::kSandAndStones) {
+      EXPECT_NEAR(wild->p_E.x(), 1.0, 0.1);
+    } else {
+      EXPECT_NEAR(wild->p_E.x(), 1.56, 0.1);
+    }
+  }
+}
+
 /// Maps of the ball at 0.8 m.
 GroundMaps MapsOfBall(FrontEnd front_end) {
   const Sample sample(0.8, 0.1);
