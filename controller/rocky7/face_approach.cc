@@ -5,6 +5,7 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/touch_place.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -16,6 +17,8 @@ constexpr ImagePatience kMastPatience{.wait = 3000, .most_asks = 5};
 constexpr int kFaceLevel_px = 6;
 // Of the mast on its way to an image pair. Assumed, 0.5-1.
 constexpr double kAimSpeed = 0.8;
+// A step without the target, and the least distance to it. Assumed, 0.2-0.4 and 1.2-2 m.
+constexpr double kBlindStep_m = 0.3, kBlindBeyond_m = 1.5;
 
 }  // namespace
 
@@ -43,6 +46,16 @@ Eigen::Vector2d FaceApproach::GroundRise(const ImuSample& attitude) const {
 // The face as a body parallel to the ground would have it: so the rover will be at the goal.
 FaceAt FaceApproach::FaceOverGround(const ImuSample& attitude) const {
   return FaceNow(nominal_, options_.learns_slope ? ground_.Parallel(attitude) : attitude, target_);
+}
+
+// Where the instrument would go from here.
+void FaceApproach::TakeFace(const ImuSample& attitude) {
+  face_ = FaceNow(nominal_, attitude, target_);
+  tool_off_rad_ = ToolOff(nominal_.mast, face_);
+  if (!options_.corrects) return;
+  const TouchPlace touch = PlaceToTouch(nominal_.mast, face_);
+  face_ = touch.face;
+  tool_off_rad_ = touch.off_rad;
 }
 
 Event FaceApproach::GiveUp(const std::string& why) {
@@ -87,6 +100,18 @@ void FaceApproach::Take(const FaceDetection& detection) {
   detected_ = "target at " + Fixed(sighting.range_m, 2) + " m, score " + Fixed(sighting.score, 2);
 }
 
+// A further image pair from the same place shows the same: the rover goes on by odometry where the
+// target is still far.
+Event FaceApproach::GoOnBlind(const SensorFrame& sensed) {
+  const bool far = !progress_.near && target_.p_ET.head<2>().norm() > kBlindBeyond_m;
+  if (misses_ < options_.blind_after || !far) return Event::kMissed;
+  const FaceAt face = FaceOverGround(sensed.imu);
+  FaceProgress progress = progress_;
+  const FaceDecision next = DecideNext(nominal_, options_, target_, face, kPi, progress);
+  if (next.arcs.empty() || progress.near) return Event::kMissed;
+  return Begin(Truncate(next.arcs, kBlindStep_m), sensed.imu.yaw_rad);
+}
+
 Event FaceApproach::DecideBy(const FaceDetection& detection, const SensorFrame& sensed) {
   ++pairs_;
   belief_.last_sighting = ReportOf(detection, stereo_, target_);
@@ -96,12 +121,11 @@ Event FaceApproach::DecideBy(const FaceDetection& detection, const SensorFrame& 
     ++misses_;
     Tell(Name(Phase::kObserve), sighting.why);
     const bool lost = misses_ >= options_.most_misses || !target_.begun;
-    return lost ? GiveUp("lost the target: " + sighting.why) : Event::kMissed;
+    return lost ? GiveUp("lost the target: " + sighting.why) : GoOnBlind(sensed);
   }
   Take(detection);
   Tell(Name(Phase::kObserve), detected_);
-  face_ = FaceNow(nominal_, sensed.imu, target_);
-  tool_off_rad_ = ToolOff(nominal_.mast, face_);
+  TakeFace(sensed.imu);
   if (pairs_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");
   const FaceDecision next =
       DecideNext(nominal_, options_, target_, FaceOverGround(sensed.imu), tool_off_rad_, progress_);
@@ -142,8 +166,7 @@ Event FaceApproach::Drive(const SensorFrame& sensed, std::vector<MotorCommand>& 
   ground_.Add(sensed.imu, drive_.driven_m() - before_m);
   if (!drive_.done() || BeginArc(sensed.imu.yaw_rad) == Event::kPlanned) return Event::kNone;
   if (!progress_.driven_all) return Event::kArrived;
-  face_ = FaceNow(nominal_, sensed.imu, target_);
-  tool_off_rad_ = ToolOff(nominal_.mast, face_);
+  TakeFace(sensed.imu);
   return Reached();
 }
 

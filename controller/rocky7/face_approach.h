@@ -35,8 +35,10 @@ class FaceApproach {
  private:
   Eigen::Vector2d GroundRise(const ImuSample& attitude) const;
   FaceAt FaceOverGround(const ImuSample& attitude) const;
+  void TakeFace(const ImuSample& attitude);
   bool TooDark(const GrayImage& left, const SensorFrame& sensed);
   void Take(const FaceDetection& detection);
+  Event GoOnBlind(const SensorFrame& sensed);
   Event DecideBy(const FaceDetection& detection, const SensorFrame& sensed);
   Event Begin(std::vector<Arc> arcs, double yaw_rad);
   Event BeginArc(double yaw_rad);

@@ -24,6 +24,7 @@ void TakeNormal(const FaceSighting& sighting, FaceBelief& belief) {
   const double share = fuses ? std::max(kNewNormal, was_rad / (was_rad + is_rad)) : 1.0;
   const Eigen::Vector3d before = fuses ? *belief.normal_E : *sighting.normal_E;
   belief.normal_E = ((1.0 - share) * before + share * *sighting.normal_E).normalized();
+  belief.bend_E = (1.0 - share) * belief.bend_E + share * sighting.bend_E;
   belief.normal_sigma_rad = is_rad;
 }
 
@@ -36,7 +37,9 @@ void MoveOn(const Pose2& since, double driven_m, const Eigen::Vector2d& ground_r
   const Pose2 back = Inverse(since);
   belief.p_ET.z() -= ground_rise.x() * since.x + ground_rise.y() * since.y;
   belief.p_ET.head<2>() = back * Eigen::Vector2d(belief.p_ET.head<2>());
-  if (belief.normal_E) belief.normal_E = RotZ(-since.heading) * *belief.normal_E;
+  const Eigen::Matrix3d turn = RotZ(-since.heading);
+  if (belief.normal_E) belief.normal_E = turn * *belief.normal_E;
+  belief.bend_E = turn * belief.bend_E * turn.transpose();
   for (Eigen::Vector2d& p_E : belief.obstacles_E) p_E = back * p_E;
   belief.turned_rad += since.heading;
   belief.driven_m += std::abs(driven_m);
@@ -61,6 +64,7 @@ void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view
 FaceAt LeaningBack(const FaceAt& face) {
   FaceAt leaning = face;
   const Eigen::Vector2d back = -face.p_RT.head<2>().normalized();
+  leaning.bend_R.setZero();
   leaning.normal_R << std::cos(kLeansBack_rad) * back, std::sin(kLeansBack_rad);
   return leaning;
 }
@@ -70,6 +74,7 @@ FaceAt FaceNow(const Nominal& nominal, const ImuSample& attitude, const FaceBeli
   FaceAt face{.p_RT = X_RE * belief.p_ET};
   if (!belief.normal_E) return LeaningBack(face);
   face.normal_R = X_RE.R * *belief.normal_E;
+  face.bend_R = X_RE.R * belief.bend_E * X_RE.R.transpose();
   return face;
 }
 

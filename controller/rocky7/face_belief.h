@@ -17,6 +17,7 @@ struct FaceBelief {
   Eigen::Vector3d p_ET{0, 0, 0};
   std::optional<Eigen::Vector3d> normal_E{};
   double normal_sigma_rad = 0.0;
+  Eigen::Matrix3d bend_E = Eigen::Matrix3d::Zero();  // as FacePlane has it
   std::vector<Eigen::Vector2d> obstacles_E{};
   double turned_rad = 0.0, driven_m = 0.0, signed_m = 0.0;  // since then
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/rocky7/paths_to_point.h"
+#include "controller/rocky7/touch_place.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -44,7 +45,10 @@ FaceDecision DecideNear(const Nominal& nominal, const FaceApproachOptions& optio
   const double enough_rad =
       std::min(kMostOff_rad, kGoodOff_rad + kEachPair_rad * std::max(0, progress.near_pairs - 1));
   // What the mast cannot follow of the normal is left out.
-  const double unreachable_rad = std::abs(goal.stance.off_rad);
+  const FaceAt at_goal = SeenFrom(goal.X_RG, face);
+  const double off_rad = std::abs(goal.stance.off_rad);
+  const double unreachable_rad =
+      options.corrects ? std::min(off_rad, PlaceToTouch(nominal.mast, at_goal).off_rad) : off_rad;
   if (tool_off_rad < enough_rad + unreachable_rad) return {};
   const Obstacles obstacles = DiscsOf(belief.obstacles_E);
   std::vector<Arc> path;
@@ -59,7 +63,8 @@ FaceDecision DecideNear(const Nominal& nominal, const FaceApproachOptions& optio
   const double whole_m = Length(path), step_m = StepOf(options, whole_m);
   if (whole_m - step_m < options.least_step_m) return {.arcs = path};
   const double first_m = path.front().length_m;
-  return {.arcs = Truncate(path, first_m < 0.0 ? -first_m : std::min(whole_m, step_m))};
+  return {.arcs = Truncate(path, first_m < 0.0 ? std::max(-first_m, options.least_step_m)
+                                               : std::min(whole_m, step_m))};
 }
 
 }  // namespace

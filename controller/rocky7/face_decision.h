@@ -22,6 +22,7 @@ struct FaceApproachOptions {
   // new search (N, IV-B).
   bool corrects = false;
   int most_looks = 60, most_misses = 1;  // pairs in all; in a row without the target
+  int blind_after = 1000;  // misses in a row; then it goes on by odometry while far away
 };
 
 /// How far the approach has come.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "controller/stereo/face_bend.h"
 #include "controller/stereo/plain_parts.h"
 
 namespace dockyard::rocky7 {
@@ -123,6 +124,8 @@ std::optional<FacePlane> FaceStereo::PlaneAt(const FaceView& view,
     const auto better = PlaneUnder(strip, again, pixel - Eigen::Vector2d(0.0, top), settings);
     if (!better) break;
     plane = better;
+    plane->bend_per_m =
+        BendAbout(strip, again, *plane, settings.radius_m).value_or(Eigen::Matrix3d::Zero());
   }
   return plane;
 }

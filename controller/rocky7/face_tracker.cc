@@ -94,6 +94,7 @@ FaceSighting PatchTracker::Measure(const FaceStereo& stereo, const FaceView& vie
     seen.p_E = plane->p;
     seen.normal_E = plane->normal;
     seen.normal_sigma_rad = plane->normal_sigma_rad;
+    seen.bend_E = plane->bend_per_m;
   }
   return seen;
 }

@@ -19,6 +19,7 @@ struct FaceSighting {
   double range_m = 0.0;                       // from the left camera
   std::optional<Eigen::Vector3d> normal_E{};  // outwards; none where too few points are seen
   double normal_sigma_rad = 0.0;
+  Eigen::Matrix3d bend_E = Eigen::Matrix3d::Zero();  // as FacePlane has it
   double score = 0.0;
   std::string why{};  // in a few words; empty when found without a remark
 };

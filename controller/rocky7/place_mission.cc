@@ -10,7 +10,8 @@ namespace {
 // "The rover moves away from the target area" (N, IV-B). Assumed, 0.2-1 m.
 constexpr double kAway_m = 0.3;
 
-// Larger steps than the paper's. Assumed: 0.15-0.4, 8-20 cm and 0.4-1 m; slip as approach.h has it.
+// Larger steps than the paper's. Assumed: 0.15-0.4, 8-20 cm and 0.4-1 m, 4-8 and 1-3 misses; slip
+// as approach.h has it.
 constexpr FaceApproachOptions kOurs{.learns_slope = true,
                                     .image_share = 0.3,
                                     .least_step_m = 0.12,
@@ -19,7 +20,8 @@ constexpr FaceApproachOptions kOurs{.learns_slope = true,
                                     .exposes_for_target = true,
                                     .corrects = true,
                                     .most_looks = 60,
-                                    .most_misses = 4};
+                                    .most_misses = 6,
+                                    .blind_after = 2};
 // Of the paper's tenths there are 40 on a way of 6 m. Assumed, 60-200.
 constexpr int kTenths = 100;
 // Assumed, 1-3.

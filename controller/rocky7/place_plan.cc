@@ -6,6 +6,7 @@
 
 #include "controller/motion/free_path.h"
 #include "controller/rocky7/paths_to_point.h"
+#include "controller/rocky7/touch_place.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -59,10 +60,12 @@ bool IsClear(const Nominal& nominal, const std::vector<Arc>& path, const Obstacl
 }  // namespace
 
 FaceAt SeenFrom(const Pose2& X_RN, const FaceAt& face) {
-  FaceAt seen = face;
-  seen.p_RT.head<2>() = Inverse(X_RN) * Eigen::Vector2d(face.p_RT.head<2>());
-  seen.normal_R = RotZ(-X_RN.heading) * face.normal_R;
-  return seen;
+  FaceAt there = face;
+  there.p_RT.head<2>() = Inverse(X_RN) * Eigen::Vector2d(face.p_RT.head<2>());
+  const Eigen::Matrix3d turn = RotZ(-X_RN.heading);
+  there.normal_R = turn * face.normal_R;
+  there.bend_R = turn * face.bend_R * turn.transpose();
+  return there;
 }
 
 double ToolOff(const NominalMast& mast, const FaceAt& face) {
@@ -144,7 +147,7 @@ std::vector<Arc> ArcsToCorrect(const Nominal& nominal, const FaceAt& face, const
     return std::abs(WrapPi(Advance({}, path).heading - goal.X_RG.heading));
   };
   const auto off = [&](const std::vector<Arc>& path) {
-    return ToolOff(nominal.mast, SeenFrom(Advance({}, path), face));
+    return PlaceToTouch(nominal.mast, SeenFrom(Advance({}, path), face)).off_rad;
   };
   // Standing still costs what the tool is off; a way must be worth the soil that it stirs.
   std::vector<Arc> best;

@@ -15,6 +15,7 @@ namespace dockyard::rocky7 {
 /// A face's point and its outward normal, in R.
 struct FaceAt {
   Eigen::Vector3d p_RT{0, 0, 0}, normal_R{-1, 0, 0};
+  Eigen::Matrix3d bend_R = Eigen::Matrix3d::Zero();  // of the normal, as FacePlane has it
 };
 /// As seen from R at a pose X_RN.
 FaceAt SeenFrom(const Pose2& X_RN, const FaceAt& face);

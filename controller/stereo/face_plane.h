@@ -23,6 +23,7 @@ struct FacePlane {
   int points = 0;
   double off_px = 0.0;            // root mean square of the points' disparities about the plane's
   double normal_sigma_rad = 0.0;  // along the worse direction
+  Eigen::Matrix3d bend_per_m = Eigen::Matrix3d::Zero();  // BendAbout it; 0: taken to be flat
 };
 
 /// The disparity of a plane is linear in the pixel's place, and its error is alike everywhere: so

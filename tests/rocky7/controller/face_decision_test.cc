@@ -110,6 +110,26 @@ TEST(FaceDecision, AsksForLessWithEachPairNearBy) {
   EXPECT_EQ(pairs, 1 + static_cast<int>(std::ceil((Degrees(off_rad) - 1.2) / 0.25)));
 }
 
+// A short arc back alone would be followed by a shorter one, again and again.
+TEST(FaceDecision, AShortArcBackIsFollowedByTheNextOneOfItsPath) {
+  int back = 0;
+  for (const double turn_deg : {-40.0, 40.0}) {
+    for (double off_m = -0.05; off_m < 0.06; off_m += 0.02) {
+      Before before(2.0, 30.0, 0.0);
+      before.progress.near = true;
+      const auto goal = GoalFor(before.nominal, before.Face(), 0.0);
+      ASSERT_TRUE(goal);
+      MoveOn({goal->X_RG.x + off_m, goal->X_RG.y, goal->X_RG.heading + Radians(turn_deg)}, 1.0,
+             Eigen::Vector2d(0.0, 0.0), before.belief);
+      const std::vector<Arc> arcs = before.Decide(kOurs).arcs;
+      if (arcs.empty() || arcs.front().length_m >= 0.0) continue;
+      if (-arcs.front().length_m < 0.9 * kOurs.least_step_m) ++back;
+      EXPECT_TRUE(arcs.size() > 1 || Length(arcs) >= kOurs.least_step_m - 1e-9) << off_m;
+    }
+  }
+  EXPECT_GE(back, 1);
+}
+
 TEST(FaceDecision, SaysWhyItCannotGoOn) {
   Before high(3.0, 30.0, 0.0);
   high.belief.p_ET.z() = 3.0;
