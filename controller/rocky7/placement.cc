@@ -1,6 +1,9 @@
 #include "controller/rocky7/placement.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "controller/rocky7/touch_place.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -15,6 +18,18 @@ constexpr double kNear_m = 0.04;
 // millimetre adds half a newton (models/rocky7/rocky7.yaml). Assumed, 0.5-2 mm, 2-3.
 constexpr double kPress_m = 0.0008;
 constexpr int kEnoughSwitches = 2;
+// The same on a surface that bends, at most. The can itself moves by a third of that, as a switch's
+// spring is twice as stiff as the mast: where no second switch closes, the tool leans by 2.3 deg or
+// more. Assumed, 3-6 mm.
+constexpr double kLeanPress_m = 0.005;
+// A lean of which nothing more is known, halved with each further touch; how far the steps may go
+// along the surface, one and all; and how many. Assumed, 3-5 deg, 2-6 and 6-10 mm, 2-4.
+constexpr double kLean_rad = Radians(4.0), kMostStep_m = 0.005, kMostRetouch_m = 0.008,
+                 kLeastStep_m = 0.001;
+constexpr int kMostRetouches = 3;
+// Before the next touch the mast draws back, and swings out. Assumed, 1-3 cm, 0.5-1 s.
+constexpr double kDrawBack_m = 0.015;
+constexpr Tick kRestsFor = 800;
 // Beyond the surface as it was seen: then it was not there. Assumed, 4-8 cm.
 constexpr double kBeyond_m = 0.06;
 // The instrument measures. Assumed, 2-60 s.
@@ -58,7 +73,9 @@ double Placement::BeforeSurface(const SensorFrame& sensed) const {
 void Placement::Start(const FaceAt& face, const SensorFrame& sensed) {
   face_ = face;
   touched_ = false;
-  closed_ = risen_ = 0;
+  closed_ = risen_ = retouches_ = 0;
+  retouch_ = Retouch::kNone;
+  aside_m_ = 0.0;
   beyond_m_ = 0.0;
   usual_a_.clear();
   note_ = "unfolds to 20 cm before the surface";
@@ -115,10 +132,62 @@ Event Placement::Advance(const SensorFrame& sensed) {
 
 Event Placement::Press(const SensorFrame& sensed) {
   closed_ = std::max(closed_, Closed(sensed));
-  const bool enough = Closed(sensed) >= kEnoughSwitches || before_m_ <= touched_m_ - kPress_m;
+  if (retouch_ != Retouch::kNone) {
+    Again(sensed);
+    return Event::kNone;
+  }
+  const double press_m = face_.bend_R.isZero() ? kPress_m : kLeanPress_m;
+  const bool enough = Closed(sensed) >= kEnoughSwitches || before_m_ <= touched_m_ - press_m;
   if (!enough && MoveTo(before_m_ - kPress_m_s * kPeriod_s)) return Event::kNone;
+  if (Closed(sensed) == 1 && BeginAgain(sensed)) return Event::kNone;
   note_ = "holds with " + std::to_string(Closed(sensed)) + " switches closed";
   return Event::kArrived;
+}
+
+bool Placement::BeginAgain(const SensorFrame& sensed) {
+  if (face_.bend_R.isZero() || retouches_ >= kMostRetouches) return false;
+  const auto at = std::find(sensed.values.begin(), sensed.values.end(), 1.0);
+  const double turn_rad =
+      2.0 * kPi / kContactCount * static_cast<double>(at - sensed.values.begin());
+  const Eigen::Matrix3d R_RK = SecondLink(nominal_.mast, mast_.Angles(sensed)).R;
+  Eigen::Vector3d along_R = R_RK * Eigen::Vector3d(0.0, std::sin(turn_rad), std::cos(turn_rad));
+  along_R = (along_R - face_.normal_R * face_.normal_R.dot(along_R)).normalized();
+  const double bend_per_m = along_R.dot(face_.bend_R * along_R);
+  const double lean_rad = std::ldexp(kLean_rad, -retouches_);
+  if (bend_per_m <= 0.0) return false;
+  const double step_m = std::min({kMostStep_m, lean_rad / bend_per_m, kMostRetouch_m - aside_m_});
+  if (step_m < kLeastStep_m) return false;
+  next_ = AlongSurface(face_, step_m * along_R);
+  aside_m_ += step_m;
+  ++retouches_;
+  retouch_ = Retouch::kBack;
+  note_ = "leans: touches again";
+  return true;
+}
+
+void Placement::Again(const SensorFrame& sensed) {
+  switch (retouch_) {
+    case Retouch::kBack:
+      if (before_m_ < touched_m_ + kDrawBack_m && MoveTo(before_m_ + kRetract_m_s * kPeriod_s)) {
+        return;
+      }
+      face_ = next_;
+      MoveTo(before_m_);
+      across_since_ = sensed.tick;
+      retouch_ = Retouch::kAcross;
+      return;
+    case Retouch::kAcross:
+      if (sensed.tick - across_since_ >= kRestsFor) retouch_ = Retouch::kAhead;
+      return;
+    default:
+      if (Closed(sensed) == 0 && before_m_ >= -kBeyond_m &&
+          MoveTo(before_m_ - kNear_m_s * kPeriod_s)) {
+        return;
+      }
+      MoveTo(std::max(before_m_, BeforeSurface(sensed)));
+      touched_m_ = before_m_;
+      retouch_ = Retouch::kNone;
+  }
 }
 
 Event Placement::Retract(const SensorFrame& sensed) {

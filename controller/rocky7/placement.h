@@ -1,7 +1,8 @@
 // The placement of Nesnas, Maimone and Das (ICRA 2000), IV-B: the mast stops 20 cm from the
 // surface, moves the instrument along the surface's normal until it touches, holds it for the
 // measurement, draws back along the normal and stows. Contact is felt by switches on the
-// instrument's face.
+// instrument's face. On a surface that bends, a switch that closes alone says to which side the
+// tool leans: the mast draws back by a centimetre, moves to that side and touches again.
 #pragma once
 
 #include <string>
@@ -38,6 +39,10 @@ class Placement {
   Event Advance(const SensorFrame& sensed);
   Event Press(const SensorFrame& sensed);
   Event Retract(const SensorFrame& sensed);
+  /// Draws back for another touch, towards the switch that closed alone; false where the surface is
+  /// flat, or no further touch is due.
+  bool BeginAgain(const SensorFrame& sensed);
+  void Again(const SensorFrame& sensed);
   /// Sets the face's middle at this distance before the surface; false where it cannot go.
   bool MoveTo(double before_m);
   double BeforeSurface(const SensorFrame& sensed) const;
@@ -51,6 +56,11 @@ class Placement {
   Tick since_ = 0;         // the phase began
   double before_m_ = 0.0;  // as it is set
   double touched_m_ = 0.0, beyond_m_ = 0.0;
+  enum class Retouch { kNone, kBack, kAcross, kAhead } retouch_ = Retouch::kNone;
+  FaceAt next_;  // of the touch that follows
+  Tick across_since_ = 0;
+  double aside_m_ = 0.0;  // along the surface from the first touch, all steps
+  int retouches_ = 0;
   bool reaches_ = false, touched_ = false;
   int closed_ = 0, risen_ = 0;
   std::vector<double> usual_a_;

@@ -34,7 +34,7 @@ Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.t
 void Rocky7Judge::Observe() {
   if (plant_.truth().target_rise_m > limits_.lifted_m) lifted_ = true;
   const Truth& truth = plant_.truth();
-  if (truth.face_n > contact_.force_n) contact_ = {truth.face_n, truth.p_GF, truth.axis_G};
+  Add(truth.time_s, truth.face_n, truth.p_GF, truth.axis_G, contact_);
   const Pose2& now = plant_.truth().X_GR;
   measures_.driven_m += std::hypot(now.x - X_GR_last_.x, now.y - X_GR_last_.y);
   X_GR_last_ = now;

@@ -1,6 +1,7 @@
 // The judge of Rocky 7's runs: where the point is, and where the controller saw the target.
 #pragma once
 
+#include "sim/rocky7/last_touch.h"
 #include "sim/rocky7/outcome.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_plant.h"
@@ -40,12 +41,7 @@ class Rocky7Judge final : public Judge {
   // the site's; and whether arm and mast had not yet been sent out.
   Eigen::Vector2d believed_R_{0, 0}, believed_G_{0, 0};
   bool approaches_ = true;
-  /// The instrument's face when it was pressed most.
-  struct Contact {
-    double force_n = 0.0;
-    Eigen::Vector3d p_GF{0, 0, 0}, axis_G{1, 0, 0};
-  };
-  Contact contact_;
+  LastTouch contact_;
 };
 
 }  // namespace dockyard::rocky7

@@ -19,7 +19,9 @@ constexpr double kSpring_n_m = 500.0, kSwitch_n = 1.0;
 // switches on springs before it.
 struct IdealMast {
   Nominal nominal = NominalRover();
-  FaceAt face;  // as it is
+  FaceAt face;                                      // as it is
+  double spring_n_m = kSpring_n_m, mast_n_m = 0.0;  // of a switch, of the mast; 0: rigid
+  double ball_radius_m = 0.0;  // of the surface, which the face touches; 0: flat
   double roll_off_rad = 0.0;
   MastAngles angles = nominal.mast.watch_rad;
   std::array<double, 3> speed{};
@@ -49,21 +51,41 @@ struct IdealMast {
     tick += kControlPeriod;
   }
 
+  double DepthOf(const Eigen::Vector3d& p_R) const {
+    if (ball_radius_m == 0.0) return -face.normal_R.dot(p_R - face.p_RT);
+    return ball_radius_m - (p_R - face.p_RT + ball_radius_m * face.normal_R).norm();
+  }
+  /// The tool's axis off the ball's normal under the face.
+  double Lean() const {
+    const Pose3 X_RK = SecondLink(nominal.mast, angles);
+    const Eigen::Vector3d out =
+        FaceCentre(nominal.mast, angles) - face.p_RT + ball_radius_m * face.normal_R;
+    return AngleBetween(-X_RK.R.col(0), out);
+  }
+
   void Press() {
     const Pose3 X_RK = SecondLink(nominal.mast, angles);
-    double force_n = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      const double turn = 2.0 * kPi / 3.0 * i;
+    std::array<double, 3> in_m{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double turn = 2.0 * kPi / 3.0 * static_cast<double>(i);
       const double r = nominal.mast.switch_radius_m;
-      const Eigen::Vector3d p =
-          X_RK * Eigen::Vector3d(nominal.mast.link2_m, r * std::sin(turn), r * std::cos(turn));
-      const double in_m = -face.normal_R.dot(p - face.p_RT);
-      const double one_n = kSpring_n_m * std::max(0.0, in_m);
-      closed[static_cast<std::size_t>(i)] = one_n > kSwitch_n;
-      force_n += one_n;
-      deepest_m = std::max(deepest_m, in_m);
+      in_m[i] = DepthOf(
+          X_RK * Eigen::Vector3d(nominal.mast.link2_m, r * std::sin(turn), r * std::cos(turn)));
+      deepest_m = std::max(deepest_m, in_m[i]);
     }
-    most_n = std::max(most_n, force_n);
+    const auto force_n = [&](double gives_m) {
+      double sum_n = 0.0;
+      for (const double in : in_m) sum_n += spring_n_m * std::max(0.0, in - gives_m);
+      return sum_n;
+    };
+    // The can slides on the mast's spring until both press alike.
+    double low_m = 0.0, high_m = mast_n_m > 0.0 ? 0.1 : 0.0;
+    for (int i = 0; i < 40 && high_m > 0.0; ++i) {
+      const double middle_m = 0.5 * (low_m + high_m);
+      (force_n(middle_m) > mast_n_m * middle_m ? low_m : high_m) = middle_m;
+    }
+    for (std::size_t i = 0; i < 3; ++i) closed[i] = spring_n_m * (in_m[i] - low_m) > kSwitch_n;
+    most_n = std::max(most_n, force_n(low_m));
     const Eigen::Vector3d middle = FaceCentre(nominal.mast, angles);
     lowest_m = std::min(lowest_m, face.normal_R.dot(middle - face.p_RT));
   }
@@ -154,6 +176,45 @@ TEST(Placement, DrawsBackAndSaysSoWhenNothingIsThere) {
   EXPECT_EQ(mast.phase, Phase::kAim);
   EXPECT_THAT(phases, ElementsAre(Phase::kUnfold, Phase::kAdvance, Phase::kRetract, Phase::kStow));
   EXPECT_GT(mast.lowest_m, 0.04);
+}
+
+// A ball of 11 cm that is 9 mm lower, higher or further aside than it was detected: the tool leans
+// by 3 to 8 deg, and the switches show to which side. The lean in closed form by the ball's middle.
+TEST(Placement, TouchesAgainTowardsTheSwitchThatClosedAlone) {
+  struct Case {
+    Eigen::Vector3d off_m{0, 0, 0};
+    double better_deg = 0.0;  // at least; a lean aside closes two switches
+  };
+  for (const auto& [off_m, better_deg] :
+       {Case{{0.0, 0.0, 0.009}, 3.0}, Case{{0.0, 0.0, -0.009}, 2.0}, Case{{0.0, 0.009, 0.0}, -0.1},
+        Case{{0.0, -0.009, 0.0}, 1.0}}) {
+    double lean_rad[2] = {0.0, 0.0};
+    for (const bool bends : {false, true}) {
+      IdealMast mast;
+      mast.face = Face(30.0);
+      mast.ball_radius_m = 0.11;
+      mast.spring_n_m = 1000.0;
+      mast.mast_n_m = 500.0;
+      FaceAt detected = mast.face;
+      detected.bend_R.setZero();
+      if (bends) {
+        detected.bend_R =
+            (Eigen::Matrix3d::Identity() - detected.normal_R * detected.normal_R.transpose()) /
+            mast.ball_radius_m;
+      }
+      mast.face.p_RT += off_m;
+      Placement placement(mast.nominal);
+      mast.Start(placement, detected);
+      while (Places(mast.phase) && mast.tick < 120000) {
+        mast.Step(placement);
+        if (mast.phase == Phase::kHold) lean_rad[bends] = mast.Lean();
+      }
+      EXPECT_EQ(mast.phase, Phase::kBackOff) << placement.note();
+      EXPECT_LT(mast.most_n, 10.0);
+    }
+    EXPECT_GT(Degrees(lean_rad[0]), 3.0);
+    EXPECT_GT(Degrees(lean_rad[0] - lean_rad[1]), better_deg) << off_m.transpose();
+  }
 }
 
 TEST(Placement, ComesDownAlongTheNormal) {
