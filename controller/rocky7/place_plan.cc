@@ -59,21 +59,6 @@ bool IsClear(const Nominal& nominal, const std::vector<Arc>& path, const Obstacl
 
 }  // namespace
 
-FaceAt SeenFrom(const Pose2& X_RN, const FaceAt& face) {
-  FaceAt there = face;
-  there.p_RT.head<2>() = Inverse(X_RN) * Eigen::Vector2d(face.p_RT.head<2>());
-  const Eigen::Matrix3d turn = RotZ(-X_RN.heading);
-  there.normal_R = turn * face.normal_R;
-  there.bend_R = turn * face.bend_R * turn.transpose();
-  return there;
-}
-
-double ToolOff(const NominalMast& mast, const FaceAt& face) {
-  const auto angles = AnglesTo(mast, face.p_RT);
-  if (!angles) return kPi;
-  return AngleBetween(SecondLink(mast, *angles).R.col(0), -face.normal_R);
-}
-
 double LeastStandOff(const Nominal& nominal, const FaceAt& face,
                      const std::vector<Eigen::Vector2d>& stands_out_R) {
   const auto [front_m, half_width_m] = FrontOf(nominal.plan);

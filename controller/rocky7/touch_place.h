@@ -1,7 +1,7 @@
 // Where about the target the instrument meets the surface along its normal.
 #pragma once
 
-#include "controller/rocky7/place_plan.h"
+#include "controller/rocky7/face_at.h"
 
 namespace dockyard::rocky7 {
 
