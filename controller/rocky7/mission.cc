@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "controller/motion/limits.h"
+#include "controller/rocky7/tipping.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -17,7 +18,8 @@ Mission::Mission(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
     : nominal_(nominal),
       options_(options),
       approach_(nominal, std::move(tracker), approach),
-      grasp_(nominal, approach.ground_as_body) {}
+      grasp_(nominal, approach.ground_as_body),
+      work_(nominal.compute_s) {}
 
 void Mission::Tell(const std::string& note) {
   belief_ = approach_.belief();
@@ -34,8 +36,21 @@ void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
   }
   belief_ = approach_.belief();
   if (phase_ != Phase::kDeploy) return;
+  if (options_.inspects && TipsWithArmOut(sensed)) {
+    On(Event::kFailed);
+    Tell("the rover would tip with its arm out");
+    return;
+  }
   ++tried_;
   grasp_.Start(sensed, options_.inspects, approach_.p_RT().y());
+}
+
+bool Mission::TipsWithArmOut(const SensorFrame& sensed) const {
+  const std::size_t first = FirstMastMotor(nominal_);
+  const MastAngles mast{AngleOf(nominal_, sensed, first), AngleOf(nominal_, sensed, first + 1),
+                        AngleOf(nominal_, sensed, first + 2)};
+  const std::array<double, 2> level{0.0, -sensed.imu.pitch_rad};
+  return TippingMargin(nominal_, sensed.imu, level, mast) < kLeastTippingMargin_m;
 }
 
 void Mission::StepGrasp(const SensorFrame& sensed) {
@@ -55,19 +70,24 @@ void Mission::TryAgain() {
 }
 
 void Mission::Inspect(const SensorFrame& sensed, Commands& commands) {
-  if (const auto images = FrontPair(sensed)) {
-    const TargetSighting sighting = approach_.Inspect(*images, sensed);
+  if (FrontPair(sensed) && !work_.busy()) {
+    request_.asked.reset();
+    work_.Begin(sensed);
+  }
+  if (const auto taken = work_.Done(sensed.tick)) {
+    const TargetSighting sighting = approach_.Inspect(*FrontPair(*taken), *taken);
     Tell(sighting.why);
     // The arm weighs no more, so the stone is on the ground wherever it has gone.
     if (sighting.found || grasp_.load() == Load::kNone) return TryAgain();
     if (sighting.gone) return On(Event::kHeld);
-    request_.asked.reset();
   }
+  if (work_.busy()) return;
   const RequestState state = StateOf(request_, kInspection, sensed.tick);
   if (state == RequestState::kUnanswered) return On(Event::kHeld);
   if (state == RequestState::kAwaited) return;
   Ask({kFrontLeft, kFrontRight}, sensed.tick, &request_, &commands);
   commands.exposure_stops = approach_.exposure_stops();
+  Tell("takes an image pair of the place");
 }
 
 Commands Mission::Step(const SensorFrame& sensed) {

@@ -7,6 +7,7 @@
 #include "controller/io/controller.h"
 #include "controller/rocky7/approach.h"
 #include "controller/rocky7/grasp.h"
+#include "controller/rocky7/pair_work.h"
 
 namespace dockyard::rocky7 {
 
@@ -29,6 +30,7 @@ class Mission final : public Controller {
   void StepGrasp(const SensorFrame& sensed);
   void Inspect(const SensorFrame& sensed, Commands& commands);
   void TryAgain();
+  bool TipsWithArmOut(const SensorFrame& sensed) const;
   void Tell(const std::string& note);
 
   const Nominal nominal_;
@@ -38,6 +40,7 @@ class Mission final : public Controller {
   Phase phase_ = Phase::kObserve;
   int tried_ = 0;
   ImageRequest request_;  // of the inspection
+  PairWork work_;         // likewise
   Belief belief_;
 };
 

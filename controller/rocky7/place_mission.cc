@@ -1,8 +1,10 @@
 #include "controller/rocky7/place_mission.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/motion/limits.h"
+#include "controller/rocky7/tipping.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -33,6 +35,7 @@ PlaceMission::PlaceMission(const Nominal& nominal, std::unique_ptr<FaceTracker> 
                            const FaceApproachOptions& options, int tries)
     : nominal_(nominal),
       tries_(tries),
+      keeps_upright_(options.corrects),
       approach_(nominal, std::move(tracker), options),
       placement_(nominal),
       drive_(nominal),
@@ -50,8 +53,23 @@ void PlaceMission::StepApproach(const SensorFrame& sensed, Commands& commands) {
   mast_ = approach_.mast_commands();
   belief_ = approach_.belief();
   if (phase_ != Phase::kUnfold) return;
+  if (keeps_upright_ && TipsWithMastOut(sensed)) {
+    On(Event::kFailed);
+    Tell(Name(phase_), "the rover would tip with its mast out");
+    return;
+  }
   ++tried_;
   placement_.Start(approach_.face(), sensed);
+}
+
+// With both links level towards the face.
+bool PlaceMission::TipsWithMastOut(const SensorFrame& sensed) const {
+  const Eigen::Vector2d to = (approach_.face().p_RT - nominal_.mast.p_RM).head<2>();
+  const std::size_t first = FirstArmMotor(nominal_);
+  const std::array<double, 2> arm{AngleOf(nominal_, sensed, first),
+                                  AngleOf(nominal_, sensed, first + 1)};
+  const MastAngles out{std::atan2(to.y(), to.x()), 0.0, 0.0};
+  return TippingMargin(nominal_, sensed.imu, arm, out) < kLeastTippingMargin_m;
 }
 
 void PlaceMission::StepPlace(const SensorFrame& sensed) {

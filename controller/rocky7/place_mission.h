@@ -21,12 +21,14 @@ class PlaceMission final : public Controller {
  private:
   void On(Event event) { Follow(Task::kPlace, event, phase_); }
   void StepApproach(const SensorFrame& sensed, Commands& commands);
+  bool TipsWithMastOut(const SensorFrame& sensed) const;
   void StepPlace(const SensorFrame& sensed);
   void StepBackOff(const SensorFrame& sensed, Commands& commands);
   void Tell(const char* phase, const std::string& note);
 
   const Nominal nominal_;
   const int tries_;
+  const bool keeps_upright_;  // checks that the rover does not tip
   FaceApproach approach_;
   Placement placement_;
   ArcDrive drive_;

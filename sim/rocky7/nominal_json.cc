@@ -66,6 +66,18 @@ void VisitMembers(M& mast, const Visit& visit) {
   visit("pair_K", mast.pair_K);
 }
 
+template <Of<NominalMasses> M, class Visit>
+void VisitMembers(M& masses, const Visit& visit) {
+  visit("rover_kg", masses.rover_kg);
+  visit("p_RC", masses.p_RC);
+  visit("arm_kg", masses.arm_kg);
+  visit("arm_middle_m", masses.arm_middle_m);
+  visit("link1_kg", masses.link1_kg);
+  visit("link2_kg", masses.link2_kg);
+  visit("link2_middle_m", masses.link2_middle_m);
+}
+static_assert(sizeof(NominalMasses) == 9 * sizeof(double));
+
 template <Of<NesnasTracking> T, class Visit>
 void VisitMembers(T& tracking, const Visit& visit) {
   visit("window_m", tracking.window_m);
@@ -93,7 +105,9 @@ void VisitMembers(N& n, const Visit& visit) {
   visit("reach_m", n.reach_m);
   visit("target_px", n.target_px);
   visit("nesnas", n.nesnas);
-  // Logs of before 2026-11-30 have none.
+  // Logs of before 2026-11-30 have neither.
+  if constexpr (!std::is_const_v<N>) n.masses = {};
+  if (visit.Has("masses", true)) visit("masses", n.masses);
   if constexpr (!std::is_const_v<N>) n.compute_s = 0.0;
   if (visit.Has("compute_s", true)) visit("compute_s", n.compute_s);
 }

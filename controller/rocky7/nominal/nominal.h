@@ -59,6 +59,19 @@ struct NominalMast {
   StereoRig pair_K;                   // its cameras, in K in place of R
 };
 
+/// What the rover weighs, and where.
+struct NominalMasses {
+  double rover_kg = 0.0;          // without what moves of arm and mast
+  Eigen::Vector3d p_RC{0, 0, 0};  // its centre of mass
+  double arm_kg = 0.0;            // with its scoops
+  double arm_middle_m = 0.0;      // from the shoulder along the arm to its centre of mass
+  double link1_kg = 0.0;          // of the mast, in its middle
+  double link2_kg = 0.0;          // with the instrument and the cameras
+  double link2_middle_m = 0.0;    // from the elbow along the link
+
+  bool operator==(const NominalMasses&) const = default;
+};
+
 /// R: the rover's body. Its origin lies between the tandem wheels, at the height of their axles; x
 /// forward, y left, z up.
 struct Nominal {
@@ -68,6 +81,7 @@ struct Nominal {
   StereoRig front, back;
   NominalArm arm;
   NominalMast mast;
+  NominalMasses masses{};
   Task task = Task::kReach;
   double reach_m = 0.01;  // how near the point P must come to the target (N, V)
   // The user's click in the first picture of the left front camera; of the mast's, where the task

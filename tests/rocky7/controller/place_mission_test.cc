@@ -121,5 +121,27 @@ TEST(PlaceMission, SaysThatNothingIsSeenWhereTheUserClicked) {
   EXPECT_EQ(Drive(rover, *controller), Verdict::kGivenUp);
 }
 
+// A mast of 40 kg: the rover tips before the instrument reaches the face.
+TEST(PlaceMission, GivesUpWhereTheMastWouldTipTheRover) {
+  IdealRover rover;
+  rover.nominal.task = Task::kPlace;
+  rover.nominal.masses = {.rover_kg = 12.0, .p_RC = {0.17, 0.0, 0.06}};
+  rover.nominal.masses.link2_kg = 40.0;
+  rover.nominal.masses.link2_middle_m = 0.25;
+  rover.scene.p_W = {2.8, 0.4, 0.4};
+  rover.scene.normal_W = NormalOf(25.0, 20.0);
+  rover.Click();
+  const auto controller = MakeDockyardController(rover.nominal);
+  Verdict verdict = Verdict::kUnderWay;
+  while (verdict == Verdict::kUnderWay && rover.tick < 2000000) {
+    const Commands commands = controller->Step(rover.Frame());
+    verdict = commands.verdict;
+    rover.Turn(commands);
+  }
+  EXPECT_EQ(verdict, Verdict::kGivenUp);
+  EXPECT_EQ(controller->belief().note, "the rover would tip with its mast out");
+  EXPECT_EQ(rover.most_n, 0.0);
+}
+
 }  // namespace
 }  // namespace dockyard::rocky7

@@ -36,6 +36,7 @@ TEST(Rocky7NominalJson, ComesBackBitForBit) {
   EXPECT_EQ(back.nesnas, nominal.nesnas);
   EXPECT_EQ(back.front.left, nominal.front.left);
   EXPECT_EQ(back.motors, nominal.motors);
+  EXPECT_EQ(back.masses, nominal.masses);
   EXPECT_EQ(back.mast.watch_rad, nominal.mast.watch_rad);
   EXPECT_EQ(back.mast.pair_K.left, nominal.mast.pair_K.left);
 }
@@ -46,11 +47,13 @@ TEST(Rocky7NominalJson, ReadsEveryNumberThatItWrites) {
   EXPECT_EQ(ToJson(NominalFromJson(shifted)), shifted);
 }
 
-// Of before the key was there.
-TEST(Rocky7NominalJson, WithoutAProcessorsTimeItTakesNone) {
+// Of before the keys were there.
+TEST(Rocky7NominalJson, WithoutAProcessorsTimeAndMassesItTakesNone) {
   Json json = ToJson(Sample());
   json.erase("compute_s");
+  json.erase("masses");
   EXPECT_EQ(NominalFromJson(json).compute_s, 0.0);
+  EXPECT_EQ(NominalFromJson(json).masses.rover_kg, 0.0);
 }
 
 TEST(Rocky7NominalJson, RefusesAnothersParameters) {

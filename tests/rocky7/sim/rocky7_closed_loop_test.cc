@@ -5,6 +5,7 @@
 #include "controller/base/number_text.h"
 #include "controller/rocky7/dockyard.h"
 #include "controller/rocky7/nesnas2000.h"
+#include "controller/rocky7/phases.h"
 #include "models/read/yaml_tree.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_system.h"
@@ -36,10 +37,10 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
   return Simulate(system, run, {});
 }
 
-/// The controller, with a count of the pictures that came while its wheels turned, and that did
-/// not.
+/// The controller, with a count of the images that came while its wheels turned, and that did not,
+/// and of its periods after the grasp.
 struct LooksSeen {
-  int under_way = 0, standing = 0;
+  int under_way = 0, standing = 0, inspecting = 0;
 };
 class Watched final : public Controller {
  public:
@@ -49,7 +50,9 @@ class Watched final : public Controller {
     const std::int64_t wheel = sensed.motors.at(2).encoder_counts;
     if (!sensed.images.empty()) ++(wheel != before_ ? looks_->under_way : looks_->standing);
     before_ = wheel;
-    return inner_->Step(sensed);
+    Commands commands = inner_->Step(sensed);
+    looks_->inspecting += inner_->belief().phase == Name(Phase::kInspect);
+    return commands;
   }
   const Belief& belief() const override { return inner_->belief(); }
 
@@ -106,6 +109,7 @@ TEST(Rocky7ClosedLoop, WithASlowProcessorOursRestsForEachPairAndGraspsTheStone) 
   EXPECT_EQ(taken->under_way, 0);
   EXPECT_GE(taken->standing, 4);
   EXPECT_GT(record.result.sim_time_s, kCompute_s * MeasureOf(record, "looks"));
+  EXPECT_GE(taken->inspecting, std::llround(kCompute_s / (kControlPeriod * kTickSeconds)));
 }
 
 // The ground ahead is not level, and the rover drifts down it.

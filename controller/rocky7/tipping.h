@@ -1,0 +1,21 @@
+// How near the rover is to tipping over with its arm or its mast out.
+#pragma once
+
+#include "controller/io/sensors.h"
+#include "controller/rocky7/mast.h"
+
+namespace dockyard::rocky7 {
+
+/// With less the rover reaches out no more: what its masses, its attitude and the ground under the
+/// wheels are not known to. Assumed, 2-5 cm.
+inline constexpr double kLeastTippingMargin_m = 0.03;
+
+/// Least distance [m], within the plane of the wheels' contacts, from where the weight's line of
+/// action meets it to the sides of the wheels' polygon; < 0: it tips. Of the rover at rest;
+/// infinite where its masses are not known.
+/// @param arm   roll and pitch of its shoulder
+/// @param mast  its joints
+double TippingMargin(const Nominal& nominal, const ImuSample& attitude,
+                     const std::array<double, 2>& arm, const MastAngles& mast);
+
+}  // namespace dockyard::rocky7
