@@ -74,14 +74,10 @@ Eigen::Vector2d Approach::LeftToTarget() const {
   return left_m;
 }
 
-Eigen::Vector2d Approach::Goal() const {
-  return escape_.PlaceAside(target_.p_RT(), yaw_rad_).value_or(target_.p_RT() + aim_m_);
-}
-
 std::vector<Arc> Approach::PathToTarget() const {
   if (options_.backs_up) {
-    const Eigen::Vector2d off_m = Goal() - aim_m_ - nominal_.plan.p_RP;
-    Eigen::Vector2d p_RG = Goal() - target_.DriftOn(off_m.norm());
+    const Eigen::Vector2d off_m = target_.p_RT() - nominal_.plan.p_RP;
+    Eigen::Vector2d p_RG = target_.p_RT() + aim_m_ - target_.DriftOn(off_m.norm());
     // The last bit is driven straight where the arm does the rest.
     if (off_m.norm() < kLast_m) {
       const double aside_m = kOfArm * options_.arm_aside_m;
@@ -130,19 +126,19 @@ TargetSighting Approach::Inspect(const StereoImages& images, const SensorFrame& 
   return sighting;
 }
 
-Event Approach::DecideBy(const TargetSighting& sighting, const ImuSample& attitude) {
+Event Approach::DecideBy(const TargetSighting& sighting, double yaw_rad) {
   driven_.watched = false;
-  misses_ = sighting.found ? 0 : misses_ + 1;
-  if (sighting.found) return Decide(attitude);
+  misses_ = sighting.found || escape_.backs_off() ? 0 : misses_ + 1;
+  if (sighting.found) return Decide(yaw_rad);
   if (misses_ >= options_.most_misses || !memory_.begun) {
     return GiveUp("lost the target: " + sighting.why);
   }
   // Far away it goes on by odometry, to detect it better; near by it takes another pair, and then
   // one from further back.
   const double off_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
-  if (off_m > options_.blind_beyond_m) return Decide(attitude);
+  if (off_m > options_.blind_beyond_m) return Decide(yaw_rad);
   const bool backs = options_.backs_up && misses_ % 2 == 0;
-  return backs ? Drive({-kStepBack_m, 0.0}, attitude.yaw_rad) : Event::kNone;
+  return backs ? Drive({-kStepBack_m, 0.0}, yaw_rad) : Event::kNone;
 }
 
 // By how much the point would miss the target at the end of the whole arc.
@@ -150,10 +146,10 @@ double Approach::OffAtEnd() const {
   const double gone = drive_.share() * driven_.part.length_m / driven_.whole.length_m;
   const Pose2 X_RE = Advance({}, Part(driven_.whole, 1.0 - gone));
   const double distance_m = (1.0 - gone) * std::abs(driven_.whole.length_m);
-  return (X_RE * nominal_.plan.p_RP + target_.DriftOn(distance_m) - Goal()).norm();
+  return (X_RE * nominal_.plan.p_RP + target_.DriftOn(distance_m) - target_.p_RT() - aim_m_).norm();
 }
 
-Event Approach::Decide(const ImuSample& attitude) {
+Event Approach::Decide(double yaw_rad) {
   const double off_m = LeftToTarget().norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {
     Tell("there", "the point is on the target");
@@ -167,9 +163,9 @@ Event Approach::Decide(const ImuSample& attitude) {
     aim_m_ *= std::min(1.0, kMostAim_m / std::max(aim_m_.norm(), 1e-9));
   }
   driven_.aimed = false;
-  if (escape_.Decide(target_.p_RT(), off_m, attitude)) {
+  if (escape_.Decide(off_m)) {
     aim_m_.setZero();
-    return escape_.awaits_pair() ? Event::kNone : Drive(escape_.Next(), attitude.yaw_rad);
+    return escape_.awaits_pair() ? Event::kNone : Drive(escape_.Next(), yaw_rad);
   }
   const std::vector<Arc> path = PathToTarget();
   if (path.empty()) return GiveUp("no arcs lead to the target");
@@ -183,7 +179,7 @@ Event Approach::Decide(const ImuSample& attitude) {
   const double step_m = driven_.watched ? left_m - kLast_m : part_m;
   driven_.aimed = single && step_m >= left_m;
   driven_.whole = arc;
-  return Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m), attitude.yaw_rad);
+  return Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m), yaw_rad);
 }
 
 // Whether the target's surroundings are worth another pair with another exposure.
@@ -207,7 +203,8 @@ bool Approach::MayWatch() const {
 Event Approach::ObserveBehind(const SensorFrame& sensed, Commands& commands) {
   escape_.Observe(sensed, commands);
   if (escape_.awaits_pair()) return Event::kNone;
-  return escape_.backs_off() ? Drive(escape_.Next(), sensed.imu.yaw_rad) : Decide(sensed.imu);
+  return escape_.backs_off() ? Drive(escape_.Next(), sensed.imu.yaw_rad)
+                             : Decide(sensed.imu.yaw_rad);
 }
 
 Event Approach::Observe(const SensorFrame& sensed, Commands& commands) {
@@ -219,7 +216,7 @@ Event Approach::Observe(const SensorFrame& sensed, Commands& commands) {
   if (const auto taken = work_.Done(sensed.tick)) {
     const TargetSighting sighting = Detect(*FrontPair(*taken), *taken);
     Tell(Name(Phase::kObserve), sighting.why);
-    const Event event = DecideBy(sighting, sensed.imu);
+    const Event event = DecideBy(sighting, sensed.imu.yaw_rad);
     if (event != Event::kNone || escape_.awaits_pair()) return event;
   }
   if (work_.busy()) return Event::kNone;
@@ -265,7 +262,6 @@ void Approach::Watch(const SensorFrame& sensed, Commands& commands) {
 }
 
 Event Approach::Move(Phase phase, const SensorFrame& sensed, std::vector<MotorCommand>& motors) {
-  yaw_rad_ = sensed.imu.yaw_rad;
   const bool drives = phase == Phase::kDrive;
   if (drives) motors = drive_.Step(sensed);
   target_.Step(drive_, drives, sensed);

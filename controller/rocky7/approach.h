@@ -72,15 +72,13 @@ class Approach {
   TargetSighting Detect(const StereoImages& images, const SensorFrame& sensed);
   /// Of the body over the ground as it is taken to be.
   void Keep(const TargetSighting& sighting, const ImuSample& attitude);
-  Event DecideBy(const TargetSighting& sighting, const ImuSample& attitude);
-  Event Decide(const ImuSample& attitude);
+  Event DecideBy(const TargetSighting& sighting, double yaw_rad);
+  Event Decide(double yaw_rad);
   Event Drive(const Arc& way, double yaw_rad);
   Event GiveUp(const std::string& why);
   /// Before the rover backs off: by what its back pair shows.
   Event ObserveBehind(const SensorFrame& sensed, Commands& commands);
   void Tell(const std::string& phase, const std::string& note);
-  /// Where the point should go, in R: to a place aside or to the target.
-  Eigen::Vector2d Goal() const;
   std::vector<Arc> PathToTarget() const;
   double OffAtEnd() const;
   bool TooDark(const GrayImage& left, const ImuSample& attitude);
@@ -98,7 +96,6 @@ class Approach {
   int pairs_ = 0, misses_ = 0;   // of images in all; in a row without the target
   Eigen::Vector2d aim_m_{0, 0};  // off the target, as arcs have missed it
   DrivenPart driven_;
-  double yaw_rad_ = 0.0;
   Escape escape_;
   Belief belief_;
 };

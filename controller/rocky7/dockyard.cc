@@ -20,8 +20,8 @@ constexpr ApproachOptions kOptions{.ground_as_body = true,
                                    .backs_up = true,
                                    .most_stalls = 3,  // assumed, 2-5
                                    // In sand uphill it goes on at a tenth of its speed. Assumed,
-                                   // 80-500.
-                                   .most_looks = 400,
+                                   // 80-400.
+                                   .most_looks = 200,
                                    .blind_beyond_m = 0.25,  // assumed, 0.2-0.5
                                    .most_misses = 8};
 

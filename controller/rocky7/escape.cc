@@ -14,16 +14,10 @@ constexpr ImagePatience kBehind{.wait = 3000, .most_asks = 3};
 Escape::Escape(const Nominal& nominal, const EscapeOptions& options)
     : nominal_(nominal), options_(options), behind_(nominal), work_(nominal.compute_s) {}
 
-bool Escape::Decide(const Eigen::Vector2d& p_RT, double off_m, const ImuSample& attitude) {
+bool Escape::Decide(double off_m) {
   if (options_.most_stalls == 0) return false;
   if (retreat_.HasArcs()) return true;
-  const Eigen::Vector2d p_PT = p_RT - nominal_.plan.p_RP;
-  if (was_stuck_) detour_.Begin(p_PT, attitude);
-  was_stuck_ = false;
-  detour_.Update(p_PT, attitude.yaw_rad);
-  if (detour_.FromTarget(attitude.yaw_rad)) return false;
   if (!retreat_.Decide(off_m, options_.near_m, options_.most_stalls)) return false;
-  was_stuck_ = off_m > options_.near_m;
   awaits_pair_ = true;
   return true;
 }
@@ -45,12 +39,6 @@ void Escape::Observe(const SensorFrame& sensed, Commands& commands) {
   if (state != RequestState::kUnanswered) return;
   request_ = {};
   awaits_pair_ = false;
-}
-
-std::optional<Eigen::Vector2d> Escape::PlaceAside(const Eigen::Vector2d& p_RT,
-                                                  double yaw_rad) const {
-  const auto p_TD = detour_.FromTarget(yaw_rad);
-  return p_TD ? std::optional<Eigen::Vector2d>(p_RT + *p_TD) : std::nullopt;
 }
 
 }  // namespace dockyard::rocky7

@@ -1,12 +1,8 @@
 // What a rover does that comes no nearer to its target: it backs off, by what its back cameras
-// show, and comes again by another path; up a steep slope by a place aside.
+// show, and comes again by another path.
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-
 #include "controller/imaging/image_request.h"
-#include "controller/rocky7/detour.h"
 #include "controller/rocky7/ground_behind.h"
 #include "controller/rocky7/pair_work.h"
 #include "controller/rocky7/retreat.h"
@@ -25,8 +21,8 @@ class Escape {
  public:
   Escape(const Nominal& nominal, const EscapeOptions& options);
 
-  /// An image pair that has the target there, the point so far off it. True: it backs off now.
-  bool Decide(const Eigen::Vector2d& p_RT, double off_m, const ImuSample& attitude);
+  /// An image pair that has the point so far off the target. True: it backs off now.
+  bool Decide(double off_m);
   /// It waits for the back pair, in Observe, before the first arc.
   bool awaits_pair() const { return awaits_pair_; }
   /// Asks for the pair and decides by it. Without an answer it backs off all the same.
@@ -34,19 +30,15 @@ class Escape {
   bool backs_off() const { return retreat_.HasArcs(); }
   /// The next arc back.
   Arc Next() { return retreat_.Next(); }
-  /// The place aside, in R, where it must go first; none: to the target.
-  std::optional<Eigen::Vector2d> PlaceAside(const Eigen::Vector2d& p_RT, double yaw_rad) const;
 
  private:
   const Nominal nominal_;
   const EscapeOptions options_;
   Retreat retreat_;
-  Detour detour_;
   GroundBehind behind_;
   PairWork work_;
   ImageRequest request_;
   bool awaits_pair_ = false;
-  bool was_stuck_ = false;  // the retreat under way began far from the target
 };
 
 }  // namespace dockyard::rocky7

@@ -31,8 +31,8 @@ constexpr double kAhead_m = 0.95, kAside_m = 0.5;
 // Assumed, 2-3 m and 0.6-1 m. Cells (assumed, 2-5 cm), and their least number (assumed, 100-500).
 constexpr double kPlaneFrom_m = 0.5, kPlaneTo_m = 2.4, kPlaneAside_m = 0.8, kPlaneCell_m = 0.03;
 constexpr int kLeastPlaneCells = 200;
-// A click's range is wild that many sigmas off that plane (assumed, 2-4), of which the ground
-// departs by so much (assumed, 0.5-2 cm).
+// A click's range is wild beyond this multiple of its sigma off that plane (assumed, 2-4). Into it
+// goes what the ground departs from the plane (assumed, 0.5-2 cm).
 constexpr double kWildClick = 2.5, kPlane_m = 0.01;
 
 // Level ground below R, in R.

@@ -20,6 +20,16 @@ constexpr double kRetreatStep_m = 0.15, kRetreatRadius_m = 1.5;
 // From what is behind. Assumed, 2-5 cm.
 constexpr double kClear_m = 0.03;
 
+// Half of the arcs to one side, half to the other.
+std::vector<Arc> AsideTo(double side) {
+  std::vector<Arc> arcs;
+  for (int i = 0; i < kRetreatSteps; ++i) {
+    const double turn_rad = side * kRetreatStep_m / kRetreatRadius_m;
+    arcs.push_back({-kRetreatStep_m, 2 * i < kRetreatSteps ? turn_rad : -turn_rad});
+  }
+  return arcs;
+}
+
 }  // namespace
 
 bool Retreat::Decide(double off_m, double near_m, int most_stalls) {
@@ -33,38 +43,28 @@ bool Retreat::Decide(double off_m, double near_m, int most_stalls) {
   if (progress.stalls < (is_far ? kMostFarStalls : most_stalls)) return false;
   far_ = near_ = {};
   side_ = -side_;
-  driven_ = 0;
-  steps_ = kRetreatSteps;
+  arcs_ = AsideTo(side_);
   return true;
 }
 
-std::vector<Arc> Retreat::Arcs() const {
-  std::vector<Arc> arcs;
-  for (int i = 0; i < kRetreatSteps; ++i) {
-    const double side = 2 * i < kRetreatSteps ? side_ : -side_;
-    arcs.push_back({-kRetreatStep_m, side * kRetreatStep_m / kRetreatRadius_m});
-  }
-  return arcs;
-}
-
 void Retreat::KeepOff(const RoverPlan& rover, const Obstacles& behind_R) {
-  const auto clear_arcs = [&] {
-    std::vector<Arc> path = Arcs();
+  const auto shorten = [&](std::vector<Arc>& path) {
     while (!path.empty() && Clearance(rover, path, behind_R, kClear_m) < kClear_m) path.pop_back();
-    return static_cast<int>(path.size());
   };
-  steps_ = clear_arcs();
-  if (steps_ < kRetreatSteps) {
-    side_ = -side_;
-    const int others = clear_arcs();
-    if (others > steps_) {
-      steps_ = others;
-    } else {
-      side_ = -side_;
-    }
-  }
+  const std::size_t all = arcs_.size();
+  std::vector<Arc> others = arcs_;
+  for (Arc& arc : others) arc.turn_rad = -arc.turn_rad;
+  shorten(arcs_);
+  shorten(others);
+  if (arcs_.size() == all || others.size() <= arcs_.size()) return;
+  arcs_ = others;
+  side_ = -side_;
 }
 
-Arc Retreat::Next() { return Arcs()[static_cast<std::size_t>(driven_++)]; }
+Arc Retreat::Next() {
+  const Arc next = arcs_.front();
+  arcs_.erase(arcs_.begin());
+  return next;
+}
 
 }  // namespace dockyard::rocky7

@@ -2,6 +2,8 @@
 // path.
 #pragma once
 
+#include <vector>
+
 #include "controller/geometry/rover_plan.h"
 #include "controller/motion/arcs.h"
 
@@ -12,7 +14,7 @@ class Retreat {
   /// An image pair, with the point so far off the target. True: retreat, by Next. Beyond near_m
   /// only a rover that is stuck comes no nearer: that takes more pairs.
   bool Decide(double off_m, double near_m, int most_stalls);
-  bool HasArcs() const { return driven_ < steps_; }
+  bool HasArcs() const { return !arcs_.empty(); }
   /// Before the first arc: takes the other side where that is freer, and only the arcs that keep
   /// clear of the obstacles: with none the retreat is over.
   void KeepOff(const RoverPlan& rover, const Obstacles& behind_R);
@@ -22,8 +24,6 @@ class Retreat {
   Arc Next();
 
  private:
-  std::vector<Arc> Arcs() const;
-
   /// On this approach.
   struct Progress {
     double nearest_m = 1e9;  // the point to the target, by image pairs
@@ -31,8 +31,8 @@ class Retreat {
   };
 
   Progress far_, near_;
-  double side_ = 1.0;  // left first
-  int driven_ = 0, steps_ = 0;
+  double side_ = 1.0;      // left first
+  std::vector<Arc> arcs_;  // to be driven
 };
 
 }  // namespace dockyard::rocky7

@@ -11,7 +11,7 @@ namespace dockyard::rocky7 {
 inline constexpr double kLeastTippingMargin_m = 0.03;
 
 /// Least distance [m], within the plane of the wheels' contacts, from where the weight's line of
-/// action meets it to the sides of the wheels' polygon; < 0: it tips. Of the rover at rest;
+/// action meets it to the sides of the wheels' polygon; < 0: it tips. The rover is at rest;
 /// infinite where its masses are not known.
 /// @param arm   roll and pitch of its shoulder
 /// @param mast  its joints

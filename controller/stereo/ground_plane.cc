@@ -7,7 +7,7 @@
 namespace dockyard {
 
 std::optional<Eigen::Vector3d> FitGroundPlane(const std::vector<Eigen::Vector3d>& points,
-                                           const Eigen::Vector3d& expected, int least_points) {
+                                              const Eigen::Vector3d& expected, int least_points) {
   constexpr std::array kBands_m{0.12, 0.06, 0.03};
   Eigen::Vector3d plane = expected;
   bool found = false;

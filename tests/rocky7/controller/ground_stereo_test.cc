@@ -43,7 +43,7 @@ TEST(GroundStereo, PlacesAClickOnAStoneWithinACentimetreAndAHalf) {
 
 // All that is as far along the optical axis as the click has half of its disparity, as by a wrong
 // match. The paper's front end takes the range as it is.
-TEST(GroundStereo, AWildRangeAtTheClickGivesWayToTheGround) {
+TEST(GroundStereo, WithAWildRangeTheClickIsOnTheGround) {
   const Sample sample(1.0, 0.1);
   for (const FrontEnd front_end : {FrontEnd::kSandAndStones, FrontEnd::kBlocks7}) {
     const GroundStereo stereo(sample.nominal, front_end);

@@ -40,6 +40,13 @@ FieldMatch OnlyAt(const Vector2d& p, const StoneMemory& memory) {
   return match;
 }
 
+/// The target alone was found again.
+FieldMatch TargetAlone(const StoneMemory& memory) {
+  FieldMatch match = None(memory);
+  match.seen[0] = 0;
+  return match;
+}
+
 StoneMemory Begun(const std::vector<FieldStone>& stones, const Vector2d& click) {
   StoneMemory memory;
   memory.Begin(ClickOn(click), 0.0, stones);
@@ -83,9 +90,7 @@ TEST(StoneMemory, WithoutAStoneOnTheRayTheClicksPlaceIsTheTarget) {
 TEST(StoneMemory, FusesASecondSightingByInverseVariances) {
   StoneMemory memory = Begun({Stone({0.9, 0.0}, 0.004)}, {0.9, 0.0});
   const std::vector<FieldStone> again{Stone({0.91, 0.0}, 0.008)};
-  FieldMatch match = None(memory);
-  match.seen[0] = 0;
-  memory.Learn(again, match, kField);
+  memory.Learn(again, TargetAlone(memory), kField);
   const double w = 1.0 / (0.004 * 0.004), w2 = 1.0 / (0.008 * 0.008), best2 = 0.002 * 0.002;
   EXPECT_NEAR(memory.target().p.x(), (w * 0.9 + w2 * 0.91) / (w + w2), 1e-12);
   EXPECT_NEAR(memory.target().spread_m2(0, 0), 1.0 / (w + w2) + best2, 1e-12);
@@ -126,9 +131,7 @@ TEST(StoneMemory, TwoPlacesOfOneStoneBecomeOne) {
 TEST(StoneMemory, AStoneThatWasDetectedOftenCanStillFade) {
   StoneMemory memory = Begun({Stone({0.9, 0.0})}, {0.9, 0.0});
   for (int pair = 0; pair < 30; ++pair) {
-    FieldMatch match = None(memory);
-    match.seen[0] = 0;
-    memory.Learn({Stone({0.9, 0.0})}, match, kField);
+    memory.Learn({Stone({0.9, 0.0})}, TargetAlone(memory), kField);
   }
   for (int pair = 0; pair < 8; ++pair) memory.Learn({}, None(memory), kField);
   EXPECT_LT(memory.target().real, 0.1);

@@ -40,7 +40,7 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
 /// The controller, with a count of the images that came while its wheels turned, and that did not,
 /// and of its periods after the grasp.
 struct LooksSeen {
-  int under_way = 0, standing = 0, inspecting = 0;
+  int driving = 0, standing = 0, inspecting = 0;
 };
 class Watched final : public Controller {
  public:
@@ -48,7 +48,7 @@ class Watched final : public Controller {
       : inner_(std::move(inner)), looks_(std::move(looks)) {}
   Commands Step(const SensorFrame& sensed) override {
     const std::int64_t wheel = sensed.motors.at(2).encoder_counts;
-    if (!sensed.images.empty()) ++(wheel != before_ ? looks_->under_way : looks_->standing);
+    if (!sensed.images.empty()) ++(wheel != before_ ? looks_->driving : looks_->standing);
     before_ = wheel;
     Commands commands = inner_->Step(sensed);
     looks_->inspecting += inner_->belief().phase == Name(Phase::kInspect);
@@ -91,7 +91,7 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   EXPECT_GT(MeasureOf(record, "rise_m"), 0.1);
   // It takes images while it drives, each 12 cm of 0.7 m to the stone but for the last 15 cm and 12
   // cm.
-  EXPECT_GE(looks->under_way, 3);
+  EXPECT_GE(looks->driving, 3);
   EXPECT_GE(looks->standing, 2);
 }
 
@@ -106,7 +106,7 @@ TEST(Rocky7ClosedLoop, WithASlowProcessorOursRestsForEachPairAndGraspsTheStone) 
   const RunRecord record =
       RunFrom(system, "dockyard", "loose_sand", 2, "grasp, compute_s: " + NumberText(kCompute_s));
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
-  EXPECT_EQ(taken->under_way, 0);
+  EXPECT_EQ(taken->driving, 0);
   EXPECT_GE(taken->standing, 4);
   EXPECT_GT(record.result.sim_time_s, kCompute_s * MeasureOf(record, "looks"));
   EXPECT_GE(taken->inspecting, std::llround(kCompute_s / (kControlPeriod * kTickSeconds)));
