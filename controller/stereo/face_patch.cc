@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "controller/stereo/face_greys.h"
 #include "controller/stereo/gray_mat.h"
 #include "controller/stereo/patch_fit.h"
 
@@ -22,9 +23,6 @@ constexpr double kAsGood = 0.9;
 // 1 sigma in grey. Assumed, 5-11 px and 1-4.
 constexpr int kLeastAbout_px = 7;
 constexpr float kSensorNoise = 2.0F;
-// Greys of a face lie within so many sigmas. Assumed, 2-3.
-constexpr double kOfFace = 2.5;
-
 // Both pictures are smoothed by so much, one sigma, as noise hides faint stains; and the new one
 // by what a pixel of the older one spans in it. Assumed, 0.7-1.5 px and 0.3-0.6 of a pixel.
 constexpr double kSmooth_px = 1.0, kPixelSmooths = 0.5;
@@ -170,18 +168,11 @@ Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_
   if (std::min(right - left, bottom - top) < 2 * half + 2) return out;
   const auto seen = SeenFromNew(patch, X_NC, middle, half);
   if (!seen) return out;
-  // The face's own greys, by the patch's inner part. What is far brighter or darker beside it is
-  // another surface: sky and sunlit ground behind a boulder's edge would outweigh its stains.
-  const int inner = half / 2;
-  const cv::Rect middle_part(half - inner, half - inner, 2 * inner + 1, 2 * inner + 1);
-  cv::Scalar mean, sigma;
   const cv::Mat greys_then = out.then = SmoothGreys(seen->greys, kSmooth_px);
-  cv::meanStdDev(greys_then(middle_part), mean, sigma, seen->on_face(middle_part));
+  const auto own = OwnGreys(greys_then, seen->on_face, settings.least_contrast);
   out.verdict = PatchVerdict::kPlain;
-  if (sigma[0] < settings.least_contrast) return out;
-  cv::Mat& face = out.face;
-  cv::inRange(greys_then, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
-  cv::bitwise_and(face, seen->on_face, face);
+  if (!own) return out;
+  const cv::Mat& face = out.face = *own;
   const double larger = patch.p_C.z() / (X_NC * patch.p_C).z();
   const double spans = kPixelSmooths * std::sqrt(std::max(0.0, larger * larger - 1.0));
   const cv::Mat about = out.about =

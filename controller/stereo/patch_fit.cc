@@ -3,12 +3,21 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace dockyard {
 namespace {
 
-// A map so far from the identity, in sigmas, has gone astray. Assumed, 2.5-4.
+// A map that is further from the identity, in sigmas, has gone astray. Assumed, 2.5-4.
 constexpr double kMostStretches = 3.0;
+
+// Where a shadow's edge or the ground behind the face has moved, greys differ by more than noise. A
+// pixel counts half where it is off by this, in sigmas (Cauchy's weights: 2.4; Zhang 1997); and the
+// least noise, 1 sigma in grey. Assumed, 2-3 and 0.3-1.
+constexpr double kHalfCounts = 2.4, kLeastSigma = 0.5;
+// 1 sigma over the median of the magnitudes, of a Gaussian.
+constexpr double kSigmaOfMedian = 1.4826;
 
 using Row = Eigen::Matrix<double, 8, 1>;
 
@@ -33,60 +42,121 @@ std::optional<Eigen::Vector2d> Slope(const cv::Mat& picture, const Eigen::Vector
   return Eigen::Vector2d(0.5 * (*right - *left), 0.5 * (*below - *above));
 }
 
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double Scatter(std::vector<double> values, double about) {
+  for (double& value : values) value = std::abs(value - about);
+  return kSigmaOfMedian * Median(std::move(values));
+}
+
+// A pixel of the patch that counts: where it lies in the image by the map of now, and the image
+// there.
+struct Pixel {
+  Eigen::Vector2d p, slope;
+  double then = 0.0, now = 0.0;  // greys
+};
+
+std::vector<Pixel> Counting(const cv::Mat& patch, const cv::Mat& on_face, const cv::Mat& image,
+                            const PatchFit& fit) {
+  std::vector<Pixel> pixels;
+  for (int v = 0; v < patch.rows; ++v) {
+    for (int u = 0; u < patch.cols; ++u) {
+      if (on_face.at<std::uint8_t>(v, u) == 0) continue;
+      const Eigen::Vector2d p(u - patch.cols / 2, v - patch.rows / 2);
+      const Eigen::Vector2d x = fit.A * p + fit.t;
+      const auto now = Sample(image, x);
+      const auto slope = Slope(image, x);
+      if (now && slope) pixels.push_back({p, *slope, patch.at<float>(v, u), *now});
+    }
+  }
+  return pixels;
+}
+
+// grey now = gain * grey then + offset.
+struct Light {
+  double gain = 1.0, offset = 0.0;
+};
+
+// By the medians and the scatter about them, which do not follow what has changed.
+Light LightOf(const std::vector<Pixel>& pixels) {
+  std::vector<double> then, now;
+  for (const Pixel& pixel : pixels) {
+    then.push_back(pixel.then);
+    now.push_back(pixel.now);
+  }
+  const double then_middle = Median(then), now_middle = Median(now);
+  const double gain = std::max(kLeastSigma, Scatter(now, now_middle)) /
+                      std::max(kLeastSigma, Scatter(then, then_middle));
+  return {gain, now_middle - gain * then_middle};
+}
+
+// Normal equations of the next step, and the weighted mean square of what is left.
+struct Equations {
+  Eigen::Matrix<double, 8, 8> N = Eigen::Matrix<double, 8, 8>::Zero();
+  Row b = Row::Zero();
+  double square = 0.0;
+};
+
+Equations EquationsOf(const std::vector<Pixel>& pixels, const Light& light) {
+  std::vector<double> left;
+  for (const Pixel& pixel : pixels)
+    left.push_back(pixel.now - light.gain * pixel.then - light.offset);
+  const double half = kHalfCounts * std::max(kLeastSigma, Scatter(left, 0.0));
+  Equations out;
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Eigen::Vector2d &p = pixels[i].p, &slope = pixels[i].slope;
+    Row row;
+    row << slope.x() * p.x(), slope.x() * p.y(), slope.y() * p.x(), slope.y() * p.y(), slope.x(),
+        slope.y(), -pixels[i].then, -1.0;
+    const double weight = 1.0 / (1.0 + left[i] * left[i] / (half * half));
+    out.N += weight * row * row.transpose();
+    out.b -= weight * left[i] * row;
+    sum += weight * left[i] * left[i];
+    weights += weight;
+  }
+  out.square = sum / weights;
+  return out;
+}
+
+// The map is held near the identity.
+void Hold(const Eigen::Matrix2d& A, const PatchFitSettings& settings, Equations& equations) {
+  const double weight =
+      settings.alike_px * equations.square / (settings.stretch * settings.stretch);
+  const Eigen::Matrix2d off = A - Eigen::Matrix2d::Identity();
+  for (int i = 0; i < 4; ++i) {
+    equations.N(i, i) += weight;
+    equations.b[i] -= weight * off(i / 2, i % 2);
+  }
+}
+
 }  // namespace
 
 std::optional<PatchFit> FitPatch(const cv::Mat& patch, const cv::Mat& on_face,
                                  const cv::Mat& picture, const Eigen::Vector2d& at,
                                  const PatchFitSettings& settings) {
-  const int half_u = patch.cols / 2, half_v = patch.rows / 2;
   PatchFit fit;
   fit.t = at;
-  double gain = 1.0, offset = 0.0;
+  Light light;
   for (int round = 0; round < settings.rounds; ++round) {
-    Eigen::Matrix<double, 8, 8> N = Eigen::Matrix<double, 8, 8>::Zero();
-    Row b = Row::Zero();
-    double sum = 0.0;
-    int count = 0;
-    for (int v = 0; v < patch.rows; ++v) {
-      for (int u = 0; u < patch.cols; ++u) {
-        if (on_face.at<std::uint8_t>(v, u) == 0) continue;
-        const Eigen::Vector2d p(u - half_u, v - half_v);
-        const Eigen::Vector2d x = fit.A * p + fit.t;
-        const auto seen = Sample(picture, x);
-        const auto slope = Slope(picture, x);
-        if (!seen || !slope) continue;
-        const double grey = patch.at<float>(v, u);
-        const double left = *seen - gain * grey - offset;
-        Row row;
-        row << slope->x() * p.x(), slope->x() * p.y(), slope->y() * p.x(), slope->y() * p.y(),
-            slope->x(), slope->y(), -grey, -1.0;
-        N += row * row.transpose();
-        b -= left * row;
-        sum += left * left;
-        ++count;
-      }
-    }
-    if (count < 8 * static_cast<int>(settings.alike_px)) return std::nullopt;
-    fit.left = std::sqrt(sum / count);
-    // The first round has neither gain nor offset yet, and so no measure of the noise.
-    if (round > 0) {
-      const double weight = settings.alike_px * sum / count / (settings.stretch * settings.stretch);
-      const Eigen::Matrix2d off = fit.A - Eigen::Matrix2d::Identity();
-      for (int i = 0; i < 4; ++i) {
-        N(i, i) += weight;
-        b[i] -= weight * off(i / 2, i % 2);
-      }
-    } else {
-      for (int i = 0; i < 4; ++i) N(i, i) += 1e12;
-    }
-    const Row step = N.ldlt().solve(b);
+    const std::vector<Pixel> pixels = Counting(patch, on_face, picture, fit);
+    if (pixels.size() < 8 * static_cast<std::size_t>(settings.alike_px)) return std::nullopt;
+    if (round == 0) light = LightOf(pixels);
+    Equations equations = EquationsOf(pixels, light);
+    fit.left = std::sqrt(equations.square);
+    Hold(fit.A, settings, equations);
+    const Row step = equations.N.ldlt().solve(equations.b);
     if (!step.allFinite()) return std::nullopt;
     for (int i = 0; i < 4; ++i) fit.A(i / 2, i % 2) += step[i];
     fit.t += step.segment<2>(4);
-    gain += step[6];
-    offset += step[7];
+    light.gain += step[6];
+    light.offset += step[7];
     const double stretched = (fit.A - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff();
-    if ((fit.t - at).norm() > settings.most_shift_px || gain <= 0.0 ||
+    if ((fit.t - at).norm() > settings.most_shift_px || light.gain <= 0.0 ||
         stretched > kMostStretches * settings.stretch) {
       return std::nullopt;
     }

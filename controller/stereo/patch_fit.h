@@ -19,14 +19,15 @@ struct PatchFitSettings {
 struct PatchFit {
   Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
   Eigen::Vector2d t{0, 0};
-  double left = 0.0;  // root mean square of what is left, grey
+  double left = 0.0;  // root mean square of what is left, weighted, grey
 };
 
 /// Least squares over shift, affine map, gain and offset of the greys, by Gauss and Newton; the map
 /// is held near the identity. An error in the range or in the plane that the patch was warped by
-/// is taken up by the map, and moves the middle no more. None where it does not converge or too
-/// little counts. Without contrast it stays where it began: FindPatch() refuses such patches
-/// before.
+/// is taken up by the map, and moves the middle no more. Pixels whose greys have changed by more
+/// than the noise count less, as where a shadow's edge has moved over the face. None where it does
+/// not converge or too little counts. Without contrast it stays where it began: FindPatch() refuses
+/// such patches before.
 /// @param patch    CV_32F, of odd sides
 /// @param on_face  CV_8U, as large: 0 where a pixel does not count
 /// @param picture  CV_32F

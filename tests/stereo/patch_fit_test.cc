@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "controller/geometry/pose.h"
 #include "sim/base/random.h"
 
 namespace dockyard {
@@ -89,6 +90,19 @@ TEST(PatchFit, AStretchedHalfDoesNotMoveTheMiddle) {
     ASSERT_TRUE(fit.has_value()) << seed;
     EXPECT_NEAR(fit->t.x(), t.x(), 0.25) << seed;
     EXPECT_NEAR(fit->t.y(), t.y(), 0.35) << seed;
+  }
+}
+
+// The rover's shadow came over a part of the face: there it is lit by a fifth.
+TEST(PatchFit, AShadowThatCameOverAPartDoesNotMoveTheMiddle) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Vector2d t(40.4, 39.5);
+    auto [patch, on_face, image] = Shown(Stains(seed), Matrix2d::Identity(), t, 1.0, seed);
+    image(cv::Rect(0, 52, 81, 29)) *= 0.2;
+    const auto fit = FitPatch(patch, on_face, image, {40.0, 40.0});
+    ASSERT_TRUE(fit.has_value()) << seed;
+    EXPECT_NEAR(fit->t.x(), t.x(), 0.25) << seed;
+    EXPECT_NEAR(fit->t.y(), t.y(), 0.25) << seed;
   }
 }
 
