@@ -46,6 +46,11 @@ void MoveOn(const Pose2& since, double driven_m, const Eigen::Vector2d& ground_r
   belief.signed_m += driven_m;
 }
 
+double FurtherLeft(const FaceBelief& belief, const Eigen::Vector3d& p_E) {
+  const Eigen::Vector2d ray_E = belief.p_ET.head<2>().normalized();
+  return ray_E.y() * p_E.x() - ray_E.x() * p_E.y();
+}
+
 void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view,
           const FaceSighting& sighting, FaceBelief& belief) {
   if (sighting.normal_E) TakeNormal(sighting, belief);
@@ -58,6 +63,7 @@ void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view
   belief.obstacles_E = NotOurselves(nominal, obstacles);
   belief.p_ET = sighting.p_E;
   belief.turned_rad = belief.driven_m = belief.signed_m = 0.0;
+  belief.rolled_m = belief.drift_m = 0.0;
   belief.begun = true;
 }
 

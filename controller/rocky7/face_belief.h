@@ -20,6 +20,8 @@ struct FaceBelief {
   Eigen::Matrix3d bend_E = Eigen::Matrix3d::Zero();  // as FacePlane has it
   std::vector<Eigen::Vector2d> obstacles_E{};
   double turned_rad = 0.0, driven_m = 0.0, signed_m = 0.0;  // since then
+  double rolled_m = 0.0;  // and the distance times the sine of the roll, right side down
+  double drift_m = 0.0;   // what the drift aside on that may be off, 1 sigma
 
   bool IsNormalSure() const;
 };
@@ -27,6 +29,9 @@ struct FaceBelief {
 /// The rover went on by this, and drove that far, over ground that rises so along x and y.
 void MoveOn(const Pose2& since, double driven_m, const Eigen::Vector2d& ground_rise,
             FaceBelief& belief);
+/// How far the rover is to the left of where odometry has it, square to the line of sight, by the
+/// target's place in a detection.
+double FurtherLeft(const FaceBelief& belief, const Eigen::Vector3d& p_E);
 /// The target was detected: it is there now, and the face's normal is known better.
 void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view,
           const FaceSighting& sighting, FaceBelief& belief);

@@ -9,10 +9,11 @@ FaceDetection DetectFace(const FaceStereo& stereo, const StereoImages& images,
   FaceDetection detection;
   const auto expected = belief.begun ? std::optional(belief.p_ET) : std::nullopt;
   detection.view = stereo.Look(images, angles, attitude, expected);
-  detection.sighting = belief.begun
-                           ? tracker.Follow(stereo, detection.view,
-                                            {belief.p_ET, belief.turned_rad, belief.driven_m})
-                           : tracker.Begin(stereo, detection.view, stereo.Rectified(click_px));
+  detection.sighting =
+      belief.begun
+          ? tracker.Follow(stereo, detection.view,
+                           {belief.p_ET, belief.turned_rad, belief.driven_m, belief.drift_m})
+          : tracker.Begin(stereo, detection.view, stereo.Rectified(click_px));
   return detection;
 }
 

@@ -10,9 +10,9 @@ namespace dockyard::rocky7 {
 namespace {
 
 // Where the target may be off its prediction, 1 sigma: across the way driven (along it:
-// kSlipSigma), what a step over rough ground lifts the rover, and where the mast points. Assumed,
-// 0.02-0.06 of the way, 1-3 cm and 0.2-0.5 deg.
-constexpr double kAcrossShare = 0.03, kLifts_m = 0.015, kPoints_rad = Radians(0.3);
+// kSlipSigma), and what a step over rough ground lifts the rover. Assumed, 0.02-0.06 of the way and
+// 1-3 cm.
+constexpr double kAcrossShare = 0.03, kLifts_m = 0.015;
 // Half the window, in sigmas; at least and at most. Assumed, 3-4, 6-12 and 40-80 px.
 constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
 // After misses all is wider: three times at most. Assumed, 2-4.
@@ -150,7 +150,8 @@ FaceSighting PatchTracker::Search(const FaceStereo& stereo, const FaceView& view
   const double aside = ray_E.tail<2>().norm();
   const double across_m =
       std::hypot(kSlipSigma * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
-  const double sigma_px = wider * view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
+  const double sigma_px = wider * view.pair.focal_px *
+                          std::hypot(across_m / range_m, target.drift_m / range_m, kPoints_rad);
   const double window_px =
       std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, wider * kMostWindow_px);
   const PatchFound found =

@@ -25,11 +25,15 @@ struct FaceSighting {
 };
 
 /// Where odometry has the target: since the look that found it last the rover turned by turned_rad,
-/// counter-clockwise, and drove way_m.
+/// counter-clockwise, and drove way_m. Its drift aside on a cross slope may be off by drift_m, 1
+/// sigma.
 struct FaceExpected {
   Eigen::Vector3d p_E{0, 0, 0};
-  double turned_rad = 0.0, way_m = 0.0;
+  double turned_rad = 0.0, way_m = 0.0, drift_m = 0.0;
 };
+
+/// Where the mast points, 1 sigma. Assumed, 0.2-0.5 deg.
+inline constexpr double kPoints_rad = Radians(0.3);
 
 class FaceTracker {
  public:

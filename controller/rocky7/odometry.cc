@@ -57,6 +57,10 @@ double Odometry::DriftOn(double distance_m, double roll_rad) const {
   return drift_ * std::abs(distance_m) * std::sin(roll_rad);
 }
 
+double Odometry::DriftSigma(double rolled_m) const {
+  return options_.drifts ? std::sqrt(drift_variance_) * std::abs(rolled_m) : 0.0;
+}
+
 // A scalar Kalman filter: the drift of this soil stays.
 void Odometry::LearnDrift(double left_m, double sigma_m, double rolled_m) {
   if (!options_.drifts) return;

@@ -49,6 +49,9 @@ class Odometry {
   void LearnDrift(double left_m, double sigma_m, double rolled_m);
   /// To the left, for a distance at this roll (right side down positive).
   double DriftOn(double distance_m, double roll_rad) const;
+  /// What that may be off after such a distance times the sine of the roll, 1 sigma; 0 where no
+  /// drift is learnt.
+  double DriftSigma(double rolled_m) const;
   /// On a way ahead, or back.
   double SlipOn(double way_m) const { return slip_[way_m < 0.0 ? 1 : 0]; }
   /// What the rover turns, of what its wheels count.

@@ -52,6 +52,18 @@ TEST(FaceBelief, MovesWithTheRoverAsARigidScene) {
   EXPECT_NEAR(belief.signed_m, 0.6, 1e-12);
 }
 
+// What it drifts to the left is the same whatever the range's error is.
+TEST(FaceBelief, TellsADriftAsideFromAnErrorOfTheRange) {
+  FaceBelief belief = Believed();
+  MoveOn(Advance({}, Arc{0.4, 0.2}), 0.4, Eigen::Vector2d(0.0, 0.0), belief);
+  const Eigen::Vector2d sight = belief.p_ET.head<2>().normalized();
+  const Eigen::Vector3d left(-sight.y(), sight.x(), 0.0);
+  for (const double range_off : {0.95, 1.0, 1.05}) {
+    const Eigen::Vector3d p_E = range_off * belief.p_ET - 0.07 * left;
+    EXPECT_NEAR(FurtherLeft(belief, p_E), 0.07, 1e-12) << range_off;
+  }
+}
+
 TEST(FaceBelief, IsInTheTiltedBodyWhereTheLevelFrameHasIt) {
   const Nominal nominal = NominalRover();
   const ImuSample attitude{.roll_rad = 0.1, .pitch_rad = -0.05};

@@ -159,6 +159,17 @@ TEST(PatchTracker, SearchesFurtherAfterAMiss) {
   EXPECT_LT((sighting.p_E - p_E).norm(), 0.03);
 }
 
+// On a cross slope the rover drifted by 10 cm, which odometry held for possible.
+TEST(PatchTracker, SearchesAsFarAsADriftMayHaveLed) {
+  Step step;
+  step.expected.p_E.y() += 0.1;
+  step.expected.drift_m = 0.06;
+  const FaceSighting sighting = step.Follow();
+  ASSERT_TRUE(sighting.found) << sighting.why;
+  const Eigen::Vector3d p_E = FaceScene::InE(step.watch.X_WE, step.watch.scene.p_W);
+  EXPECT_LT((sighting.p_E - p_E).norm(), 0.03);
+}
+
 TEST(PatchTracker, SaysThatTheFaceIsAnother) {
   Step step;
   step.watch.scene.other = 7.0;

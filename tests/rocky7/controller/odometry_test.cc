@@ -76,6 +76,15 @@ TEST(Odometry, LearnsTheDriftOfACrossSlope) {
 }
 
 // On level ground an error to the side is no drift.
+// A Kalman filter of one state: with a detection as good as the prior half of the variance is left.
+TEST(Odometry, ADriftIsLessUnsureOnceItIsDetected) {
+  Odometry odometry({.turn_by_unit = true, .slip = 0.1, .drifts = true});
+  EXPECT_NEAR(odometry.DriftSigma(-0.1), 0.1 * kDriftSigma, 1e-12);
+  odometry.LearnDrift(-0.08, 0.1 * kDriftSigma, 0.1);
+  EXPECT_NEAR(odometry.DriftSigma(0.1), 0.1 * kDriftSigma * std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(Odometry(kByUnit).DriftSigma(0.1), 0.0);
+}
+
 TEST(Odometry, LevelGroundTeachesNoDrift) {
   Odometry odometry({.turn_by_unit = true, .slip = 0.1, .drifts = true});
   for (int i = 0; i < 50; ++i) odometry.LearnDrift(i % 3 == 0 ? 0.01 : -0.005, 0.01, 1e-3);
