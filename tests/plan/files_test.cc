@@ -165,6 +165,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"reel_heading.yaml", 2 * 2 * 9},
     {"rock_map.yaml", 2 * 2},
     {"rocks.yaml", 4 * 2},
+    {"rocky7_unpublished.yaml", 1 + 25},
     {"sensitivity.yaml", 8 * (1 + 48)},
     {"sensitivity_compact.yaml", 4 * (1 + 20)},
     {"sensitivity_loose.yaml", 4 * (1 + 20)},
