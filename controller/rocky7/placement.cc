@@ -18,8 +18,9 @@ constexpr double kNear_m = 0.04;
 // millimetre adds half a newton (models/rocky7/rocky7.yaml). Assumed, 0.5-2 mm, 2-3.
 constexpr double kPress_m = 0.0008;
 constexpr int kEnoughSwitches = 2;
-// The same on a surface that bends, at most. The can itself moves by a third of that, as a switch's
-// spring is twice as stiff as the mast: where no second switch closes, the tool leans by 2.3 deg or
+// The same on a surface that bends, at most, or until all close. The can itself moves by a third of
+// that, as a switch's spring is twice as stiff as the mast, and by a fifth on two switches: where
+// no second one closes the tool leans by 2.3 deg or more, where no third one closes by 1.4 deg or
 // more. Assumed, 3-6 mm.
 constexpr double kLeanPress_m = 0.005;
 // A lean of which nothing more is known, halved with each further touch; how far the steps may go
@@ -136,21 +137,32 @@ Event Placement::Press(const SensorFrame& sensed) {
     Again(sensed);
     return Event::kNone;
   }
-  const double press_m = face_.bend_R.isZero() ? kPress_m : kLeanPress_m;
-  const bool enough = Closed(sensed) >= kEnoughSwitches || before_m_ <= touched_m_ - press_m;
+  const bool flat = face_.bend_R.isZero();
+  const double press_m = flat ? kPress_m : kLeanPress_m;
+  const int switches = flat ? kEnoughSwitches : kContactCount;
+  const bool enough = Closed(sensed) >= switches || before_m_ <= touched_m_ - press_m;
   if (!enough && MoveTo(before_m_ - kPress_m_s * kPeriod_s)) return Event::kNone;
-  if (Closed(sensed) == 1 && BeginAgain(sensed)) return Event::kNone;
+  if (BeginAgain(sensed)) return Event::kNone;
   note_ = "holds with " + std::to_string(Closed(sensed)) + " switches closed";
   return Event::kArrived;
 }
 
+Eigen::Vector3d Placement::TowardsClosed(const SensorFrame& sensed) const {
+  Eigen::Vector3d sum_K(0.0, 0.0, 0.0);
+  for (std::size_t i = 0; i < sensed.values.size(); ++i) {
+    const double turn_rad = 2.0 * kPi / kContactCount * static_cast<double>(i);
+    if (sensed.values[i] == 1.0) {
+      sum_K += Eigen::Vector3d(0.0, std::sin(turn_rad), std::cos(turn_rad));
+    }
+  }
+  return SecondLink(nominal_.mast, mast_.Angles(sensed)).R * sum_K;
+}
+
 bool Placement::BeginAgain(const SensorFrame& sensed) {
+  const int closed = Closed(sensed);
   if (face_.bend_R.isZero() || retouches_ >= kMostRetouches) return false;
-  const auto at = std::find(sensed.values.begin(), sensed.values.end(), 1.0);
-  const double turn_rad =
-      2.0 * kPi / kContactCount * static_cast<double>(at - sensed.values.begin());
-  const Eigen::Matrix3d R_RK = SecondLink(nominal_.mast, mast_.Angles(sensed)).R;
-  Eigen::Vector3d along_R = R_RK * Eigen::Vector3d(0.0, std::sin(turn_rad), std::cos(turn_rad));
+  if (closed == 0 || closed == kContactCount) return false;
+  Eigen::Vector3d along_R = TowardsClosed(sensed);
   along_R = (along_R - face_.normal_R * face_.normal_R.dot(along_R)).normalized();
   const double bend_per_m = along_R.dot(face_.bend_R * along_R);
   const double lean_rad = std::ldexp(kLean_rad, -retouches_);

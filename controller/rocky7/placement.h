@@ -1,8 +1,8 @@
 // The placement of Nesnas, Maimone and Das (ICRA 2000), IV-B: the mast stops 20 cm from the
 // surface, moves the instrument along the surface's normal until it touches, holds it for the
 // measurement, draws back along the normal and stows. Contact is felt by switches on the
-// instrument's face. On a surface that bends, a switch that closes alone says to which side the
-// tool leans: the mast draws back by a centimetre, moves to that side and touches again.
+// instrument's face. On a surface that bends, one switch or two that close alone say to which side
+// the tool leans: the mast draws back by a centimetre, moves to that side and touches again.
 #pragma once
 
 #include <string>
@@ -39,8 +39,10 @@ class Placement {
   Event Advance(const SensorFrame& sensed);
   Event Press(const SensorFrame& sensed);
   Event Retract(const SensorFrame& sensed);
-  /// Draws back for another touch, towards the switch that closed alone; false where the surface is
-  /// flat, or no further touch is due.
+  /// In R, from the face's middle to the closed switches' one.
+  Eigen::Vector3d TowardsClosed(const SensorFrame& sensed) const;
+  /// Draws back for another touch, towards the switches that closed; false where all did, where the
+  /// surface is flat, or no further touch is due.
   bool BeginAgain(const SensorFrame& sensed);
   void Again(const SensorFrame& sensed);
   /// Sets the face's middle at this distance before the surface; false where it cannot go.
