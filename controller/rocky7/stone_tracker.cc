@@ -35,6 +35,19 @@ bool Agree(const FieldStone& stone, const Vector2d& p_E) {
   return (stone.p - p_E).norm() < std::max(kAgrees_m, kAgreesShare * stone.height_m);
 }
 
+// Height of the ground about a place: that about the nearest stone, as the map shows a stone's top
+// where the user clicked, or nothing.
+double GroundAbout(const GroundMaps& maps, const std::vector<FieldStone>& stones,
+                   const Vector2d& p_E) {
+  const auto away_m = [&](const FieldStone& stone) { return (stone.p - p_E).norm(); };
+  const auto nearest = std::min_element(
+      stones.begin(), stones.end(),
+      [&](const FieldStone& a, const FieldStone& b) { return away_m(a) < away_m(b); });
+  if (nearest != stones.end()) return nearest->ground_m;
+  const auto at = Bilinear(maps.closed, p_E);
+  return at ? at->height_m : 0.0;
+}
+
 FieldMatch Unmatched(std::size_t stones, const Matrix2d& shift_spread_m2) {
   return {.spread_m2 = shift_spread_m2, .seen = std::vector<int>(stones, -1)};
 }
@@ -43,14 +56,13 @@ FieldMatch Unmatched(std::size_t stones, const Matrix2d& shift_spread_m2) {
 
 TargetSighting StoneTracker::Begin(const GroundMaps& maps, const Clicked& clicked) {
   field_.focal_baseline_px_m = maps.focal_baseline_px_m;
-  const auto at = Bilinear(maps.closed, clicked.p_E);
-  const double ground_m = at ? at->height_m : 0.0;
+  const auto seen = StonesAbout(maps.fine, clicked.p_E, maps.p_EC, field_);
+  const double ground_m = GroundAbout(maps, seen, clicked.p_E);
   const ClickRay click{.from = maps.p_EC.head<2>(),
                        .along = -clicked.ray_E.head<2>() / std::min(clicked.ray_E.z(), -kLevel),
                        .range_data = clicked.p_E,
                        .up_m = maps.p_EC.z() - ground_m,
                        .sigma_rad = clicked.sigma_rad};
-  const auto seen = StonesAbout(maps.fine, clicked.p_E, maps.p_EC, field_);
   if (memory_.Begin(click, ground_m, seen)) return Found(maps, memory_.target());
   TargetSighting place = Lost("no stone is told from the ground where the user clicked");
   place.found = true;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/base/random.h"
 #include "tracking/height_scene.h"
 
@@ -40,6 +42,20 @@ TEST(StoneTracker, TakesTheStoneOnTheClicksRayNotTheOneNearTheRangeData) {
   const TargetSighting seen =
       tracker.Begin(Maps(scene, {}, 1e-3, 1), ClickOn({0.9, 0.0}, 0.01, {-0.08, 0.05}));
   ASSERT_TRUE(seen.found);
+  EXPECT_LT((seen.p_E - scene.stones[0].p).norm(), 0.005);
+}
+
+// The ground ahead rises by 6 cm, and the map has no cell where the user clicked. With the ground
+// at 0 the click's ray would meet it 18 cm behind the stone.
+TEST(StoneTracker, TakesTheStoneOnTheRayWhereTheGroundRises) {
+  HeightScene scene{{{{0.9, 0.0}, 0.02, 0.02}, {{0.82, 0.2}, 0.02, 0.02}}};
+  scene.slope_x = 0.06 / 0.9;
+  GroundMaps maps = Maps(scene, {}, 1e-3, 1);
+  for (float& height_m : maps.closed.height_m) height_m = std::nanf("");
+  StoneTracker tracker;
+  const TargetSighting seen = tracker.Begin(maps, ClickOn({0.9, 0.0}, 0.07));
+  ASSERT_TRUE(seen.found) << seen.why;
+  EXPECT_EQ(seen.why, "");
   EXPECT_LT((seen.p_E - scene.stones[0].p).norm(), 0.005);
 }
 
