@@ -56,14 +56,14 @@ FieldMatch Unmatched(std::size_t stones, const Matrix2d& shift_spread_m2) {
 
 TargetSighting StoneTracker::Begin(const GroundMaps& maps, const Clicked& clicked) {
   field_.focal_baseline_px_m = maps.focal_baseline_px_m;
-  const auto seen = StonesAbout(maps.fine, clicked.p_E, maps.p_EC, field_);
-  const double ground_m = GroundAbout(maps, seen, clicked.p_E);
+  const auto stones = StonesAbout(maps.fine, clicked.p_E, maps.p_EC, field_);
+  const double ground_m = GroundAbout(maps, stones, clicked.p_E);
   const ClickRay click{.from = maps.p_EC.head<2>(),
                        .along = -clicked.ray_E.head<2>() / std::min(clicked.ray_E.z(), -kLevel),
                        .range_data = clicked.p_E,
                        .up_m = maps.p_EC.z() - ground_m,
                        .sigma_rad = clicked.sigma_rad};
-  if (memory_.Begin(click, ground_m, seen)) return Found(maps, memory_.target());
+  if (memory_.Begin(click, ground_m, stones)) return Found(maps, memory_.target());
   TargetSighting place = Lost("no stone is told from the ground where the user clicked");
   place.found = true;
   return place;

@@ -53,10 +53,10 @@ TEST(StoneTracker, TakesTheStoneOnTheRayWhereTheGroundRises) {
   GroundMaps maps = Maps(scene, {}, 1e-3, 1);
   for (float& height_m : maps.closed.height_m) height_m = std::nanf("");
   StoneTracker tracker;
-  const TargetSighting seen = tracker.Begin(maps, ClickOn({0.9, 0.0}, 0.07));
-  ASSERT_TRUE(seen.found) << seen.why;
-  EXPECT_EQ(seen.why, "");
-  EXPECT_LT((seen.p_E - scene.stones[0].p).norm(), 0.005);
+  const TargetSighting first = tracker.Begin(maps, ClickOn({0.9, 0.0}, 0.07));
+  ASSERT_TRUE(first.found) << first.why;
+  EXPECT_EQ(first.why, "");
+  EXPECT_LT((first.p_E - scene.stones[0].p).norm(), 0.005);
 }
 
 // The same stones from nearer by and turned, while odometry is off by the way to the neighbour.
