@@ -23,10 +23,12 @@ constexpr int kEnoughSwitches = 2;
 // no second one closes the tool leans by 2.3 deg or more, where no third one closes by 1.4 deg or
 // more. Assumed, 3-6 mm.
 constexpr double kLeanPress_m = 0.005;
-// A lean of which nothing more is known, halved with each further touch; how far the steps may go
-// along the surface, one and all; and how many. Assumed, 3-5 deg, 2-6 and 6-10 mm, 2-4.
-constexpr double kLean_rad = Radians(4.0), kMostStep_m = 0.005, kMostRetouch_m = 0.008,
-                 kLeastStep_m = 0.001;
+// A lean of which nothing more is known, by one switch and by two, halved with each further touch;
+// how long a step along the surface may be, and how far they may lead; and the least one. Assumed,
+// 3-5 and 2-3 deg, 2-6 and 6-10 mm, 0.5-2 mm.
+constexpr double kLean_rad = Radians(4.0), kLeanOfTwo_rad = Radians(2.5), kMostStep_m = 0.005,
+                 kMostRetouch_m = 0.008, kLeastStep_m = 0.001;
+// Further touches, at most. Assumed, 2-4.
 constexpr int kMostRetouches = 3;
 // Before the next touch the mast draws back, and swings out. Assumed, 1-3 cm, 0.5-1 s.
 constexpr double kDrawBack_m = 0.015;
@@ -76,7 +78,7 @@ void Placement::Start(const FaceAt& face, const SensorFrame& sensed) {
   touched_ = false;
   closed_ = risen_ = retouches_ = 0;
   retouch_ = Retouch::kNone;
-  aside_m_ = 0.0;
+  aside_R_.setZero();
   beyond_m_ = 0.0;
   usual_a_.clear();
   note_ = "unfolds to 20 cm before the surface";
@@ -165,12 +167,13 @@ bool Placement::BeginAgain(const SensorFrame& sensed) {
   Eigen::Vector3d along_R = TowardsClosed(sensed);
   along_R = (along_R - face_.normal_R * face_.normal_R.dot(along_R)).normalized();
   const double bend_per_m = along_R.dot(face_.bend_R * along_R);
-  const double lean_rad = std::ldexp(kLean_rad, -retouches_);
+  const double lean_rad = std::ldexp(closed == 1 ? kLean_rad : kLeanOfTwo_rad, -retouches_);
   if (bend_per_m <= 0.0) return false;
-  const double step_m = std::min({kMostStep_m, lean_rad / bend_per_m, kMostRetouch_m - aside_m_});
+  const double step_m =
+      std::min({kMostStep_m, lean_rad / bend_per_m, kMostRetouch_m - aside_R_.dot(along_R)});
   if (step_m < kLeastStep_m) return false;
   next_ = AlongSurface(face_, step_m * along_R);
-  aside_m_ += step_m;
+  aside_R_ += step_m * along_R;
   ++retouches_;
   retouch_ = Retouch::kBack;
   note_ = "leans: touches again";

@@ -61,7 +61,7 @@ class Placement {
   enum class Retouch { kNone, kBack, kAcross, kAhead } retouch_ = Retouch::kNone;
   FaceAt next_;  // of the touch that follows
   Tick across_since_ = 0;
-  double aside_m_ = 0.0;  // along the surface from the first touch, all steps
+  Eigen::Vector3d aside_R_{0, 0, 0};  // along the surface from the first touch
   int retouches_ = 0;
   bool reaches_ = false, touched_ = false;
   int closed_ = 0, risen_ = 0;

@@ -186,7 +186,7 @@ TEST(Placement, TouchesAgainTowardsTheSwitchesThatClosed) {
     double better_deg = 0.0;  // at least
   };
   for (const auto& [off_m, better_deg] :
-       {Case{{0.0, 0.0, 0.009}, 3.0}, Case{{0.0, 0.0, -0.009}, 2.0}, Case{{0.0, 0.009, 0.0}, 2.0},
+       {Case{{0.0, 0.0, 0.009}, 3.0}, Case{{0.0, 0.0, -0.009}, 2.6}, Case{{0.0, 0.009, 0.0}, 2.6},
         Case{{0.0, -0.009, 0.0}, 1.0}}) {
     double lean_rad[2] = {0.0, 0.0};
     for (const bool bends : {false, true}) {
