@@ -33,7 +33,7 @@ struct ApproachOptions {
   bool sees_motion = false;
   bool exposes_for_target = false;  // asks for more light where the target lies in the shade
   bool backs_up = false;            // two arcs where one would be too sharp, and more patience
-  int most_stalls = 0;              // of EscapeOptions
+  int most_stalls = 0;              // see EscapeOptions
   int most_looks = 60;              // then it gives up: its steps are coarser than its reach
   // A target further from the point than this may be unseen for a look; then the way goes on.
   double blind_beyond_m = 1e9;

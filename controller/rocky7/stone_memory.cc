@@ -44,8 +44,8 @@ constexpr double kOneStone_m = 0.035;
 // Middles of two stones are no nearer to each other: one of 3 cm and one of 2 cm that touch.
 // Assumed, 2.2-3 cm.
 constexpr double kTwin_m = 0.025;
-// A stone that images show again and again may be wrong all the same: so that it can fade. Assumed,
-// 0.99-0.9999.
+// The highest chance of a stone: at 1 it could never fade, and images may be wrong in the same
+// manner again. Assumed, 0.99-0.9999.
 constexpr double kMostReal = 0.999;
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace dockyard::rocky7 {
 
-/// With less the rover reaches out no more: what its masses, its attitude and the ground under the
-/// wheels are not known to. Assumed, 2-5 cm.
+/// With less the rover does not reach out. It covers the errors of its masses and its attitude, and
+/// wheels that sink. Assumed, 2-5 cm.
 inline constexpr double kLeastTippingMargin_m = 0.03;
 
 /// Least distance [m], within the plane of the wheels' contacts, from where the weight's line of

@@ -1,6 +1,6 @@
-// A point of a face found again in a new picture: what surrounds it in an older one, as it would
-// look from the new place, moved over the new picture. It goes by visual appearance: a face has no
-// shape to find it by.
+// Finds a point of a face again in a new image. What surrounds it in an older image is drawn as
+// from the new place and moved over the new one. Grey values decide: a face has no shape to find it
+// by.
 #pragma once
 
 #include <Eigen/Core>
