@@ -1,6 +1,6 @@
-// Finds a point of a face again in a new image. What surrounds it in an older image is drawn as
-// from the new place and moved over the new one. Grey values decide: a face has no shape to find it
-// by.
+// Finds a point of a face again in a new image. Its surroundings in an older image are drawn
+// as from the new place and moved over the new one. Grey values decide: a face has no shape to find
+// it by.
 #pragma once
 
 #include <Eigen/Core>
