@@ -42,7 +42,8 @@ MatchSettings SearchAbout(const PlaneDisparity& expected, int either_side_px) {
 MatchSettings Blocks7About(double expected_px) {
   constexpr int kCount_px = 128;
   const int least_px = std::max(0, static_cast<int>(expected_px) - kCount_px / 2);
-  return {.matcher = Matcher::kBlocks, .block_px = 7, .least_px = least_px, .count_px = kCount_px};
+  return {
+      .matcher = Matcher::kBandPassed, .block_px = 7, .least_px = least_px, .count_px = kCount_px};
 }
 
 GrayImage Rows(const GrayImage& image, int top, int bottom) {

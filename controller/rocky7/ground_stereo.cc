@@ -42,7 +42,7 @@ Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
 }
 
 // By the paper's front end: the body pair's ground lies within 128 px from 0.2 m on.
-constexpr MatchSettings kBlocks7{.matcher = Matcher::kBlocks, .block_px = 7};
+constexpr MatchSettings kBlocks7{.matcher = Matcher::kBandPassed, .block_px = 7};
 
 int BlockOf(FrontEnd front_end) {
   return front_end == FrontEnd::kBlocks7 ? kBlocks7.block_px

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "controller/base/check.h"
+#include "controller/stereo/band_pass_blocks.h"
 #include "controller/stereo/gray_mat.h"
 
 namespace dockyard {
@@ -62,6 +63,13 @@ cv::Mat Search(const cv::Mat& left, const cv::Mat& right, const MatchSettings& w
     matcher->setSpeckleWindowSize(with.speckle_px);
     matcher->setSpeckleRange(kSpeckleRange_px);
     matcher->compute(left, right, found);
+    return found;
+  }
+  if (with.matcher == Matcher::kBandPassed) {
+    found = MatchBandPassed(left, right,
+                            {with.block_px, with.least_px, with.count_px, with.most_left_right_px});
+    cv::filterSpeckles(found, kSubpixels * (with.least_px - 1), with.speckle_px,
+                       kSubpixels * kSpeckleRange_px);
     return found;
   }
   const int block2 = with.block_px * with.block_px;  // costs as OpenCV's samples have them

@@ -37,13 +37,14 @@ PlaneDisparity DisparityOf(const RectifiedPair& pair, const Plane& plane_R);
 enum class Matcher : std::uint8_t {
   kBlocks,      // sums of differences over a block: exact on sand, gaps on rocks of one colour
   kSemiGlobal,  // smooth along paths (Hirschmueller 2008): fewer gaps, less exact
+  kBandPassed,  // blocks of differences of Gaussians, as on JPL's rovers (band_pass_blocks.h)
 };
 
 struct MatchSettings {
   Matcher matcher = Matcher::kBlocks;
   int block_px = 15;                 // odd, from 3; of blocks from 5
   int least_px = 0, count_px = 128;  // disparities that are tried; the count a multiple of 16
-  int uniqueness_percent = 10;       // by which the best must beat the second
+  int uniqueness_percent = 10;       // by which the best must beat the second; not of kBandPassed
   int most_left_right_px = 1;        // that left and right may differ by
   int speckle_px = 50;               // smaller patches are left out
   // Gaussian on both images before the search; 0: none. It takes noise off faint texture, as ground
