@@ -5,6 +5,7 @@
 
 #include "controller/base/number_text.h"
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/paths_to_point.h"
 #include "controller/rocky7/touch_place.h"
 
 namespace dockyard::rocky7 {
@@ -154,7 +155,10 @@ Event FaceApproach::Begin(std::vector<Arc> arcs, double yaw_rad) {
 // kMissed: there is none.
 Event FaceApproach::BeginArc(double yaw_rad) {
   if (arcs_.empty()) return Event::kMissed;
-  const Arc arc = arcs_.front();
+  // A rover that slips comes as far as was planned only where its wheels turn further.
+  const Arc arc = options_.odometry.slip > 0.0
+                      ? NoSharper(odometry_.AgainstSlip(arcs_.front()), GentleLimits(nominal_.plan))
+                      : arcs_.front();
   arcs_.erase(arcs_.begin());
   drive_.Start(arc);
   odometry_.Begin(yaw_rad);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/motion/arcs.h"
-
 namespace dockyard::rocky7 {
 namespace {
 
@@ -51,6 +49,10 @@ void Odometry::Learn(double further_m, double sigma_m, double way_m) {
   const double gain = by_slip_m2 / (by_slip_m2 + sigma_m * sigma_m);
   double& slip = slip_[way_m < 0.0 ? 1 : 0];
   slip = std::clamp(slip + gain * further_m / way_m, 0.0, kMostSlip);
+}
+
+Arc Odometry::AgainstSlip(const Arc& arc) const {
+  return {arc.length_m / (1.0 - SlipOn(arc.length_m)), arc.turn_rad / turn_share_};
 }
 
 double Odometry::DriftOn(double distance_m, double roll_rad) const {

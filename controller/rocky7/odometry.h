@@ -6,6 +6,7 @@
 
 #include "controller/geometry/pose.h"
 #include "controller/io/sensors.h"
+#include "controller/motion/arcs.h"
 
 namespace dockyard::rocky7 {
 
@@ -54,6 +55,9 @@ class Odometry {
   double DriftSigma(double rolled_m) const;
   /// On a way ahead, or back.
   double SlipOn(double way_m) const { return slip_[way_m < 0.0 ? 1 : 0]; }
+  /// So that the rover itself, which slips, drives this arc. It may be sharper than its wheels
+  /// steer.
+  Arc AgainstSlip(const Arc& arc) const;
   /// What the rover turns, of what its wheels count.
   double turn_share() const { return turn_share_; }
 

@@ -25,10 +25,7 @@ OdometryTarget InFrame(const OdometryTarget& target, const Pose2& X_NR, double t
           target.turned_rad + turned_rad, target.driven_m};
 }
 
-Arc TargetOdometry::AgainstSlip(const Arc& arc) const {
-  return {arc.length_m / (1.0 - odometry_.SlipOn(arc.length_m)),
-          arc.turn_rad / odometry_.turn_share()};
-}
+Arc TargetOdometry::AgainstSlip(const Arc& arc) const { return odometry_.AgainstSlip(arc); }
 
 void TargetOdometry::BeginArc(const Arc& arc, double yaw_rad) {
   odometry_.Begin(yaw_rad);

@@ -47,6 +47,19 @@ TEST(Odometry, LearnsSlipByTheRatioOfVariances) {
   EXPECT_EQ(odometry.SlipOn(-1.0), 0.1);
 }
 
+// What the wheels turn for an arc, less the slip and the share of the turn, is the arc.
+TEST(Odometry, AgainstSlipTheWheelsTurnSoMuchThatTheArcIsDriven) {
+  Odometry odometry(kByUnit);
+  odometry.Learn(-0.12, 1e-6, -0.4);
+  for (const Arc& arc : {Arc{0.3, 0.2}, Arc{-0.2, 0.1}}) {
+    const Arc turned = odometry.AgainstSlip(arc);
+    EXPECT_NEAR((1.0 - odometry.SlipOn(arc.length_m)) * turned.length_m, arc.length_m, 1e-12);
+    EXPECT_NEAR(kTurnShare * turned.turn_rad, arc.turn_rad, 1e-12);
+  }
+  EXPECT_NEAR(odometry.AgainstSlip({0.3, 0.0}).length_m, 0.3 / 0.9, 1e-12);
+  EXPECT_NEAR(odometry.AgainstSlip({-0.3, 0.0}).length_m, -0.3 / 0.6, 1e-4);
+}
+
 TEST(Odometry, CountsSlipFromWhereItWasLearnt) {
   Odometry odometry(kByUnit);
   odometry.Begin(0.0);

@@ -61,6 +61,31 @@ TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
   EXPECT_GT(rover.nearest_wheel_m, 0.05);
 }
 
+// Forty of a hundred metres that the wheels turn are lost; the images teach that.
+TEST(PlaceMission, OnLooseSoilTheRoverDrivesAsFarAsItPlans) {
+  IdealRover rover = BeforeAFace(5.5);
+  rover.slip = 0.4;
+  const auto controller = MakeDockyardController(rover.nominal);
+  std::vector<double> shares;  // of the planned length, of each drive
+  Pose2 X_WR_start;
+  double planned_m = 0.0;
+  Drive(rover, *controller, [&](const Belief& belief) {
+    const bool drives = belief.phase == "drive";
+    if (drives && planned_m == 0.0) {
+      X_WR_start = rover.X_WR;
+      for (const auto& arc : belief.plan) planned_m += arc.length_m;
+    }
+    if (drives || planned_m == 0.0) return;
+    const Pose2 moved = Inverse(X_WR_start) * rover.X_WR;
+    if (planned_m > 0.25) shares.push_back(std::hypot(moved.x, moved.y) / planned_m);
+    planned_m = 0.0;
+  });
+  ASSERT_GE(shares.size(), 5u);
+  // As the slip is taken at first: a tenth.
+  EXPECT_NEAR(shares.front(), 0.6 / 0.9, 0.02);
+  EXPECT_NEAR(shares.back(), 1.0, 0.06);
+}
+
 // "Within one meter" it plans two arcs, and places from where they end (N, IV-B).
 TEST(PlaceMission, ThePapersSearchesNoMoreAfterItsTwoArcs) {
   IdealRover rover = BeforeAFace(2.8);
