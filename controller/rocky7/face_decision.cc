@@ -17,6 +17,8 @@ constexpr double kBefore_m = 1.0, kBeforeWithin_m = 0.25;
 // 0.2-0.5 and 3.5-4.5 deg; 5 are the aim, of which the normal's own error takes 1.
 constexpr double kGoodOff_rad = Radians(1.2), kEachPair_rad = Radians(0.25),
                  kMostOff_rad = Radians(3.5);
+// And where no path is expected to leave less: half of the 5 deg. Assumed, 2-3 deg.
+constexpr double kGoodEnough_rad = Radians(2.5);
 // What is left to the goal's pose before single corrections. Assumed, 8-20 cm.
 constexpr double kCorrectsWithin_m = 0.12;
 
@@ -54,6 +56,7 @@ FaceDecision DecideNear(const Nominal& nominal, const FaceApproachOptions& optio
   std::vector<Arc> path;
   if (options.corrects && left_m < kCorrectsWithin_m) {
     path = ArcsToCorrect(nominal, face, goal, obstacles);
+    if (path.empty() && tool_off_rad < kGoodEnough_rad + unreachable_rad) return {};
   }
   if (path.empty()) path = ArcsToGoal(nominal, goal, obstacles);
   if (path.empty()) return {.why_not = "no arcs lead before the face"};

@@ -20,8 +20,12 @@ constexpr double kCorrection_m = 0.2, kCorrectionStep_m = 0.005;
 constexpr int kCorrectionCurvatures = 8;  // to either side
 // A normal steeper than this belongs to a top. Assumed, 65-80 deg.
 constexpr double kTop_rad = Radians(72.0);
-// A metre of way must make the tool better by this. Assumed, 0.5-3 deg.
-constexpr double kPerMetre_rad = Radians(1.0);
+// A metre of path must make the tool better by this: it ends off by 8 cm (kSlipSigma, odometry.h),
+// and a centimetre turns the tool by 0.6 deg at a reach of 0.94 m. Assumed, 3-8 deg.
+constexpr double kPerMetre_rad = Radians(5.0);
+// The same for each arc, as its start and its stop move the rover by half a centimetre. Assumed,
+// 0.1-0.6 deg.
+constexpr double kPerArc_rad = Radians(0.3);
 // The heading may be off the normal's azimuth by this after a correction. Assumed, 15-40 deg.
 constexpr double kMostAside_rad = Radians(25.0);
 // A pair this much longer than the way is a detour: three arcs are shorter. Assumed, 1.5-4.
@@ -138,7 +142,8 @@ std::vector<Arc> ArcsToCorrect(const Nominal& nominal, const FaceAt& face, const
   std::vector<Arc> best;
   double best_cost = off({});
   const auto consider = [&](const std::vector<Arc>& path) {
-    const double cost = off(path) + kPerMetre_rad * Length(path);
+    const double arcs = static_cast<double>(path.size());
+    const double cost = off(path) + kPerMetre_rad * Length(path) + kPerArc_rad * arcs;
     if (path.empty() || cost >= best_cost || aside(path) > kMostAside_rad) return;
     if (!IsClear(nominal, path, obstacles)) return;
     best = path;

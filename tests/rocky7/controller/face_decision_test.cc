@@ -110,6 +110,22 @@ TEST(FaceDecision, AsksForLessWithEachPairNearBy) {
   EXPECT_EQ(pairs, 1 + static_cast<int>(std::ceil((Degrees(off_rad) - 1.2) / 0.25)));
 }
 
+// Aside by 24 mm the tool is off by more than the first pair asks for, but no short path takes that
+// away.
+TEST(FaceDecision, PlacesWhereNoPathIsExpectedToLeaveLess) {
+  Before before(2.0, 30.0, 0.0);
+  before.progress.near = true;
+  const auto goal = GoalFor(before.nominal, before.Face(), 0.0);
+  ASSERT_TRUE(goal);
+  const Pose2 aside = goal->X_RG * Pose2{0.0, -0.024, 0.0};
+  MoveOn(aside, 1.0, Eigen::Vector2d(0.0, 0.0), before.belief);
+  ASSERT_GT(Degrees(before.ToolOffNow()), 1.25);
+  ASSERT_LT(Degrees(before.ToolOffNow()), 1.6);
+  const FaceDecision next = before.Decide(kOurs);
+  EXPECT_EQ(next.why_not, "");
+  EXPECT_TRUE(next.arcs.empty());
+}
+
 // A short arc back alone would be followed by a shorter one, again and again.
 TEST(FaceDecision, AShortArcBackIsFollowedByTheNextOneOfItsPath) {
   int back = 0;

@@ -79,11 +79,21 @@ TEST(PlacePlan, OneShortArcMakesUpForAStandOffThatIsOff) {
 
 TEST(PlacePlan, TwoArcsBringTheMastAsideByCentimetres) {
   const Nominal nominal = NominalRover();
-  const FaceAt face = FaceAhead(0.88, 0.06, 30.0, 0.0);
+  const FaceAt face = FaceAhead(0.88, 0.08, 30.0, 0.0);
   const double before = ToolOff(nominal.mast, face);
   const auto path = ArcsToCorrect(nominal, face, *GoalFor(nominal, face, 0.0), {});
   ASSERT_FALSE(path.empty());
   EXPECT_LT(ToolOff(nominal.mast, SeenFrom(Advance({}, path), face)), 0.5 * before);
+}
+
+// Longer arcs would make the tool right by plan, and end centimetres off in soil.
+TEST(PlacePlan, ADegreeIsNotWorthALongPath) {
+  const Nominal nominal = NominalRover();
+  const FaceAt face = FaceAhead(0.88, 0.024, 30.0, 0.0);
+  const PlaceGoal goal = *GoalFor(nominal, face, 0.0);
+  ASSERT_NEAR(Degrees(ToolOff(nominal.mast, face)), 1.4, 0.1);
+  EXPECT_GT(Length(ArcsToGoal(nominal, goal, {})), 0.1);
+  EXPECT_LT(Length(ArcsToCorrect(nominal, face, goal, {})), 0.05);
 }
 
 TEST(PlacePlan, StandingWhereTheToolIsRightAsksForNoArcs) {
