@@ -93,6 +93,7 @@ StageShapes SceneBuilder::Shapes() const {
       {"target", "station", p_SM_}, {"tip", "arm", p_AT_}, {"board", "station", X_SB_.p}};
   shapes.boards = {{"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m}};
   shapes.light = lighting_.sun_and_sky;
+  shapes.to_pole_W = lighting_.to_pole_W;
   shapes.ground_rgb = soil_rgb_;
   shapes.ground_texture_seed = texture_seed_;
   return shapes;

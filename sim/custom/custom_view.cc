@@ -191,6 +191,7 @@ StageShapes SceneBuilder::Shapes() const {
         {dock_[static_cast<std::size_t>(board.link)].name, board.X_LB, board.board});
   }
   shapes.light = lighting_.sun_and_sky;
+  shapes.to_pole_W = lighting_.to_pole_W;
   shapes.ground_rgb = floor_rgb_;
   shapes.ground_texture_seed = texture_seed_;
   shapes.ground_grain = grain_;

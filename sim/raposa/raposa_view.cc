@@ -150,6 +150,7 @@ StageShapes SceneBuilder::Shapes() const {
   add("pyramid", false, pyramid_);
   for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.light = lighting_.sun_and_sky;
+  shapes.to_pole_W = lighting_.to_pole_W;
   shapes.ground_rgb = ground_rgb_;
   shapes.ground_texture_seed = texture_seed_;
   shapes.ground_grain = grain_;

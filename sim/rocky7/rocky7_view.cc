@@ -183,6 +183,7 @@ StageShapes SceneBuilder::Shapes() const {
   AddStones(shapes);
   for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.light = lighting_.sun_and_sky;
+  shapes.to_pole_W = lighting_.to_pole_W;
   shapes.ground_rgb = soil_rgb_;
   shapes.ground_texture_seed = texture_seed_;
   shapes.largest_pebble_m = kLargestPebble_m;

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/geometry/board.h"
 #include "render/scene.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/sun_motion.h"
 
 namespace dockyard {
 
@@ -52,12 +54,17 @@ struct StageBoard {
 struct StageShapes {
   std::vector<StageBody> bodies;  // in the order of Stage::bodies
   std::vector<StageBoard> boards;
-  SunAndSky light;
+  SunAndSky light;                             // at the run's start; later: sun_motion.h
+  std::optional<Eigen::Vector3d> to_pole_W{};  // about which the sun turns; none: it stays
   // The ground as the cameras see it: GroundView has the meanings.
   Eigen::Vector3d ground_rgb{0.5, 0.5, 0.5};  // linear, 0..1
   std::uint64_t ground_texture_seed = 1;
   double ground_grain = 1.0, largest_pebble_m = kAllPebbles_m;
   std::vector<StagePoint> points;  // in addition to the bodies' own origins
 };
+
+inline SunAndSky LightAt(const StageShapes& shapes, double seconds) {
+  return LightAt(shapes.light, shapes.to_pole_W, seconds);
+}
 
 }  // namespace dockyard

@@ -16,7 +16,7 @@ OutsideScenes::OutsideScenes(const LoggedRun& run, const StageShapes& shapes)
 
 Scene OutsideScenes::At(std::size_t sample) {
   Scene scene;
-  scene.light = shapes_.light;
+  scene.light = LightAt(shapes_, run_.times_s[sample]);
   AddBodies(sample, scene);
   AddGround(sample, scene);
   for (const auto& [name, line] : run_.lines) {

@@ -63,6 +63,22 @@ TEST(OutsideView, HasGroundAllTheWayToTheSpectator) {
   }
 }
 
+// An hour about the pole overhead: 15 deg (one sidereal turn in 23 h 56 min, so 15.04 deg).
+TEST(OutsideScenes, HaveTheSunOfTheSamplesTime) {
+  LoggedRun run = SomeRun();
+  run.times_s[1] = 3600.0;
+  StageShapes shapes = SomeShapes();
+  for (const bool moves : {false, true}) {
+    if (moves) shapes.to_pole_W = Eigen::Vector3d::UnitZ();
+    OutsideScenes scenes(run, shapes);
+    EXPECT_EQ(scenes.At(0).light.to_sun_W, shapes.light.to_sun_W);
+    const Eigen::Vector2d start = shapes.light.to_sun_W.head<2>();
+    const Eigen::Vector2d later = scenes.At(1).light.to_sun_W.head<2>();
+    const double turned_rad = std::acos(start.normalized().dot(later.normalized()));
+    EXPECT_NEAR(turned_rad, moves ? Radians(15.0) : 0.0, Radians(0.1));
+  }
+}
+
 // The robot, 0.4 m high, has a mast of 2 m: its top is in the image without further options.
 TEST(OutsideView, HoldsTheWholeRobot) {
   LoggedRun run = SomeRun();

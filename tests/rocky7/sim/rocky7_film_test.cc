@@ -15,6 +15,7 @@ Scenario Yard(const std::string& keys) {
   Scenario scenario = OnGravel(keys, 1.6, 4.0);
   scenario.rocks.cover = 0.03;
   scenario.light = Light::kHardShadow;
+  scenario.sun.moving = true;
   return scenario;
 }
 
@@ -84,6 +85,7 @@ TEST(Rocky7Film, DrawsTheWorldOfTheCamerasImages) {
     EXPECT_TRUE(SamePlace(film.ground.X_WG, images.ground.X_WG));
     EXPECT_NEAR(film.ground.heights_m[1234], images.ground.heights_m[1234], 0.6e-4);
     EXPECT_EQ(film.light.to_sun_W, images.light.to_sun_W);
+    EXPECT_EQ(shapes.to_pole_W, built.lighting.to_pole_W);
     EXPECT_EQ(film.light.sky_irradiance, images.light.sky_irradiance);
   }
 }
