@@ -17,6 +17,12 @@ constexpr int kAcross = 8, kAlong = 8;
 // Lips that are further apart hold no loose soil: some six grains of a coarse sand. Assumed, 2-10
 // mm.
 constexpr double kGap_m = 0.005;
+// What runs out becomes a heap at once, within this multiple of a scoop's depth and this number of
+// passes. 100 cm^3, more than two scoops hold, make a heap of 4 cm.
+constexpr double kReach = 3.0;
+constexpr int kMostPasses = 5000;
+// Passes in a step, where soil has been taken. Assumed, 1-50.
+constexpr int kPassesAStep = 10;
 
 }  // namespace
 
@@ -57,13 +63,25 @@ void CarriedSoil::Raise(HeightGrid& ground, const LinkMotion& scoop, Piece& piec
   if (more_m <= 0.0) return;
   AddSoil(ground, p_G.head<2>(), -piece.area_m2 * more_m);
   volume_m3_ += piece.area_m2 * more_m;
+  slumps_ = true;
   piece.taken_m = out_m;
 }
 
-void CarriedSoil::Spill(HeightGrid& ground, const LinkMotion& scoop) {
-  if (volume_m3_ > 0.0) AddSoil(ground, scoop.X_GL.p.head<2>(), volume_m3_);
+void CarriedSoil::Spill(HeightGrid& ground, const std::array<const LinkMotion*, 2>& scoops) {
+  for (Piece& piece : pieces_) {
+    const Vector3d p_G = scoops[piece.scoop]->X_GL * piece.p_L;
+    if (piece.taken_m > 0.0) AddSoil(ground, p_G.head<2>(), piece.area_m2 * piece.taken_m);
+    piece.high_m = piece.taken_m = 0.0;
+  }
+  if (volume_m3_ > 0.0) Slumps(ground, scoops[0]->X_GL.p, kMostPasses);
   volume_m3_ = 0.0;
-  for (Piece& piece : pieces_) piece.high_m = piece.taken_m = 0.0;
+}
+
+void CarriedSoil::Slumps(HeightGrid& ground, const Vector3d& at_G, int most_passes) {
+  const SoilModel& soil = soils_.at(ground.SoilAt(at_G));
+  const double reach_m = kReach * scoop_.depth_m;
+  slumps_ =
+      !Slump(ground, {at_G.head<2>(), reach_m, std::tan(soil.friction_angle_rad)}, most_passes);
 }
 
 std::array<CarriedSoil::Load, 2> CarriedSoil::Step(HeightGrid& ground,
@@ -71,10 +89,11 @@ std::array<CarriedSoil::Load, 2> CarriedSoil::Step(HeightGrid& ground,
                                                    double open_rad) {
   std::array<Load, 2> loads{};
   if (2.0 * scoop_.depth_m * std::sin(0.5 * open_rad) > kGap_m) {
-    Spill(ground, *scoops[0]);
+    Spill(ground, scoops);
     return loads;
   }
   const Vector3d& axis_G = scoops[0]->X_GL.p;
+  if (slumps_) Slumps(ground, axis_G, kPassesAStep);
   const double up_m = axis_G.z() - ground.Height(axis_G.x(), axis_G.y());
   if (volume_m3_ == 0.0 && up_m > 2.0 * scoop_.depth_m) return loads;
   for (Piece& piece : pieces_) {
@@ -90,7 +109,7 @@ std::array<CarriedSoil::Load, 2> CarriedSoil::Step(HeightGrid& ground,
 }
 
 std::uint64_t CarriedSoil::StateHash(std::uint64_t seed) const {
-  std::uint64_t hash = HashDouble(seed, volume_m3_);
+  std::uint64_t hash = HashBits(HashDouble(seed, volume_m3_), slumps_ ? 1 : 0);
   for (const Piece& piece : pieces_) {
     hash = HashDouble(HashDouble(hash, piece.high_m), piece.taken_m);
   }

@@ -45,12 +45,15 @@ class CarriedSoil {
   };
 
   void Raise(HeightGrid& ground, const LinkMotion& scoop, Piece& piece);
-  void Spill(HeightGrid& ground, const LinkMotion& scoop);
+  void Spill(HeightGrid& ground, const std::array<const LinkMotion*, 2>& scoops);
+
+  void Slumps(HeightGrid& ground, const Eigen::Vector3d& at_G, int most_passes);
 
   ScoopModel scoop_;
   std::vector<SoilModel> soils_;
   std::vector<Piece> pieces_;
   double volume_m3_ = 0.0, density_kg_m3_ = 0.0, gravity_m_s2_ = 0.0;
+  bool slumps_ = false;  // the ground from which soil was taken is not at rest yet
 };
 
 }  // namespace dockyard

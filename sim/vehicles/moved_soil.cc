@@ -17,12 +17,26 @@ void AddVolume(HeightGrid& grid, const Eigen::Vector2d& at, double volume_m3) {
   high[1] += height_m * cell.u * cell.v;
 }
 
-void Slide(double& a, double& b, double steepest_m) {
+// By how much the slope was too steep.
+double Slide(double& a, double& b, double steepest_m) {
   const double excess_m = std::abs(a - b) - steepest_m;
-  if (excess_m <= 0.0) return;
+  if (excess_m <= 0.0) return 0.0;
   const double moved_m = std::copysign(0.25 * excess_m, a - b);
   a -= moved_m;
   b += moved_m;
+  return excess_m;
+}
+
+double SlumpOnce(HeightGrid& grid, const GridCell& low, const GridCell& high, double steepest_m) {
+  double excess_m = 0.0;
+  for (int iy = low.iy; iy <= high.iy; ++iy) {
+    for (int ix = low.ix; ix <= high.ix; ++ix) {
+      double* at = grid.heights_m.data() + static_cast<std::ptrdiff_t>(iy) * grid.nx + ix;
+      excess_m = std::max(
+          {excess_m, Slide(at[0], at[1], steepest_m), Slide(at[0], at[grid.nx], steepest_m)});
+    }
+  }
+  return excess_m;
 }
 
 }  // namespace
@@ -41,19 +55,17 @@ void MoveSoil(HeightGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector
   ++grid.revision;
 }
 
-void SlumpWithin(HeightGrid& grid, const Eigen::Vector2d& centre, double half_m, double friction) {
-  const GridCell low = CellAt(grid, centre.x() - half_m, centre.y() - half_m);
-  const GridCell high = CellAt(grid, centre.x() + half_m, centre.y() + half_m);
-  const double steepest_m = friction * grid.cell_m;
-  double* heights = grid.heights_m.data();
-  for (int iy = low.iy; iy <= high.iy; ++iy) {
-    for (int ix = low.ix; ix <= high.ix; ++ix) {
-      double* at = heights + static_cast<std::ptrdiff_t>(iy) * grid.nx + ix;
-      Slide(at[0], at[1], steepest_m);
-      Slide(at[0], at[grid.nx], steepest_m);
-    }
+bool Slump(HeightGrid& grid, const LooseSlope& slope, int most_passes) {
+  constexpr double kAtRest_m = 1e-5;
+  const Eigen::Vector2d& at = slope.centre;
+  const GridCell low = CellAt(grid, at.x() - slope.half_m, at.y() - slope.half_m);
+  const GridCell high = CellAt(grid, at.x() + slope.half_m, at.y() + slope.half_m);
+  bool rests = false;
+  for (int pass = 0; pass < most_passes && !rests; ++pass) {
+    rests = SlumpOnce(grid, low, high, slope.friction * grid.cell_m) < kAtRest_m;
   }
   ++grid.revision;
+  return rests;
 }
 
 double BearingHeight(const HeightGrid& grid, double x_m, double y_m) {

@@ -6,7 +6,6 @@
 
 #include "models/parts/scoop_shape.h"
 #include "sim/base/hash.h"
-#include "sim/vehicles/moved_soil.h"
 
 namespace dockyard {
 namespace {
@@ -16,8 +15,11 @@ using Eigen::Vector3d;
 // Pieces of lip and wall: across the width, and along the profile.
 constexpr int kAcross = 5, kAlong = 3;
 
-// Slopes slump so often; assumed, 5-50 ms.
+// Slopes slump so often; assumed, 5-50 ms. One pass while the scoop is in the soil, as it keeps the
+// heap before it off the trench behind it; more when it is out, until all is at rest (assumed,
+// 5-50).
 constexpr double kSlump_s = 0.01;
+constexpr int kPassesWhenOut = 10;
 
 double Below(const HeightGrid& ground, const Vector3d& p_G) {
   return BearingHeight(ground, p_G.x(), p_G.y()) - p_G.z();
@@ -117,15 +119,19 @@ ScoopLoad ScoopSoil::Step(HeightGrid& ground, const LinkMotion& scoop, double st
     Heap(ground, wall, p_G, into_m * normal_G, depth_m);
   }
   since_slump_s_ += step_s;
-  if (load.deepest_m > 0.0 && since_slump_s_ >= kSlump_s) {
-    SlumpWithin(ground, scoop.X_GL.p.head<2>(), reach_m_, wall_laws_.tan_phi);
+  if (load.deepest_m > 0.0) {
+    slumps_ = true;
+    slope_ = {scoop.X_GL.p.head<2>(), reach_m_, wall_laws_.tan_phi};
+  }
+  if (slumps_ && since_slump_s_ >= kSlump_s) {
+    slumps_ = !Slump(ground, slope_, load.deepest_m > 0.0 ? 1 : kPassesWhenOut);
     since_slump_s_ = 0.0;
   }
   return load;
 }
 
 std::uint64_t ScoopSoil::StateHash(std::uint64_t seed) const {
-  std::uint64_t hash = seed;
+  std::uint64_t hash = HashBits(seed, slumps_ ? 1 : 0);
   for (const Lip& lip : lips_) hash = HashDouble(hash, lip.pressed_m);
   for (const Wall& wall : walls_) {
     hash = HashDouble(hash, wall.push);

@@ -10,6 +10,7 @@
 #include "sim/rigid/motion.h"
 #include "sim/soil/height_grid.h"
 #include "sim/soil/soil_laws.h"
+#include "sim/vehicles/moved_soil.h"
 
 namespace dockyard {
 
@@ -29,7 +30,8 @@ struct ScoopLoad {
 /// the soil as it was, or from the floor of a trench: the pressure has the heap in it already.
 ///
 /// The soil that a wall sweeps sideways is heaped up where its passive wedge comes out, and slumps
-/// where that is too steep. What a scoop lifts out is not taken from the ground.
+/// where that is too steep, until it has come to rest. What a scoop lifts out is not taken from the
+/// ground.
 class ScoopSoil {
  public:
   /// soils: by the ground's numbers; the one below the scoop's origin counts.
@@ -66,6 +68,8 @@ class ScoopSoil {
   std::vector<Wall> walls_;
   double reach_m_ = 0.0;  // of what slumps about the scoop
   double since_slump_s_ = 0.0;
+  bool slumps_ = false;  // soil that the scoop has moved is not at rest yet
+  LooseSlope slope_;
 };
 
 }  // namespace dockyard

@@ -65,6 +65,23 @@ TEST(ArmGrasp, ClosesOnNothingWithoutAStone) {
   EXPECT_EQ(Grasp(rig, {}, 0.35), GraspEnd::kClosed);
 }
 
+// What the scoops push together, and what they let go, is nowhere steeper than sand lies.
+TEST(ArmGrasp, LeavesNoGroundSteeperThanItsSoilLies) {
+  const double tan_phi = std::tan(SoilNamed("loose_sand").friction_angle_rad);
+  for (const bool stone : {true, false}) {
+    Standing rig("loose_sand", stone ? 0.05 : 0.01, 4);
+    for (int i = 0; i < 2; ++i) {
+      Grasp(rig, {}, 0.35);
+      EXPECT_LT(Steepest(rig.ground, rig.Axis().head<2>(), 0.1), tan_phi + 0.01) << stone << i;
+    }
+    for (const auto& [scoop, by_rad] : {std::pair{kFrontScoop, -0.9}, {kBackScoop, 0.9}}) {
+      rig.Turn(scoop, rig.angle_rad(scoop) + by_rad);
+    }
+    rig.Run(3.0);
+    EXPECT_LT(Steepest(rig.ground, rig.Axis().head<2>(), 0.1), tan_phi + 0.01) << stone;
+  }
+}
+
 TEST(ArmGrasp, LeavesARockOfTwelveCentimetresWhereItIs) {
   for (const char* soil : {"loose_sand", "compact_gravel"}) {
     Standing rig(soil, 0.12, 2);

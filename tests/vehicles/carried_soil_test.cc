@@ -107,5 +107,23 @@ TEST(CarriedSoil, FallsBackToTheGroundWhenTheLipsPart) {
   EXPECT_NEAR(hand.InGround_m3(), 0.0, 1e-12);
 }
 
+// A pyramid whose sides are as steep as the soil lies along the grid's lines: V = 2 h^3 / (3
+// tan^2). Over the hole that it came from it is lower.
+TEST(CarriedSoil, FallsAsAHeapThatIsNoSteeperThanItsSoilLies) {
+  Hand hand(ScoopSides::kClosed, 0.02);
+  hand.Raise(0.06);
+  hand.motion.X_GL.p.x() += 0.2;  // from where it was taken
+  const double volume_m3 = hand.carried->volume_m3();
+  hand.Raise(0.001, 0.2);
+  const double tan_phi = std::tan(hand.soil.friction_angle_rad);
+  const Eigen::Vector2d at = hand.motion.X_GL.p.head<2>();
+  EXPECT_LT(Steepest(hand.ground, at, 0.1), tan_phi + 0.003);
+  const double peak_m = std::cbrt(1.5 * volume_m3 * tan_phi * tan_phi);
+  const double high_m =
+      *std::max_element(hand.ground.heights_m.begin(), hand.ground.heights_m.end());
+  EXPECT_GT(high_m, 0.5 * peak_m);
+  EXPECT_LT(high_m, 1.01 * peak_m);
+}
+
 }  // namespace
 }  // namespace dockyard

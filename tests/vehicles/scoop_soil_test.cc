@@ -113,6 +113,8 @@ TEST(ScoopSoil, LeavesATrenchAndAHeapOfTheSameVolume) {
   // Where it went before there is less to push.
   const double first_n = -scoop.Go({0.01, 0.0, 0.0}).force_G.x();
   scoop.Go({0.0, 0.0, 0.05});
+  const double tan_phi = std::tan(scoop.laws.friction_angle_rad);
+  EXPECT_LT(Steepest(scoop.ground, scoop.motion.X_GL.p.head<2>(), 0.15), tan_phi + 0.003);
   scoop.Go({-0.06, 0.0, 0.0});
   scoop.Go({0.0, 0.0, -0.05});
   EXPECT_LT(-scoop.Go({0.01, 0.0, 0.0}).force_G.x(), 0.75 * first_n);

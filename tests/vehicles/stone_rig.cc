@@ -45,6 +45,19 @@ void Lower(ArmRig& rig, const GraspScript& script) {
 
 }  // namespace
 
+double Steepest(const HeightGrid& grid, const Eigen::Vector2d& at, double half_m) {
+  const GridCell low = CellAt(grid, at.x() - half_m, at.y() - half_m);
+  const GridCell high = CellAt(grid, at.x() + half_m, at.y() + half_m);
+  double steepest_m = 0.0;
+  for (int iy = low.iy; iy <= high.iy; ++iy) {
+    for (int ix = low.ix; ix <= high.ix; ++ix) {
+      const double* h = grid.heights_m.data() + static_cast<std::ptrdiff_t>(iy) * grid.nx + ix;
+      steepest_m = std::max({steepest_m, std::abs(h[0] - h[1]), std::abs(h[0] - h[grid.nx])});
+    }
+  }
+  return steepest_m / grid.cell_m;
+}
+
 GraspEnd Grasp(ArmRig& rig, const GraspScript& script, double lift_rad) {
   Lower(rig, script);
   double pitch = rig.angle_rad(kArmPitch), raised_rad = 0.0, felt_s = 0.0, still_s = 0.0;

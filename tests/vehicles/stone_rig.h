@@ -125,6 +125,9 @@ class ArmRig {
   double step_s_ = 1e-3, friction_ = 0.6;
 };
 
+/// The tangent of the steepest slope between two nodes of a grid, in a square about a place.
+double Steepest(const HeightGrid& grid, const Eigen::Vector2d& at, double half_m);
+
 /// A grasp as a controller may do it: from the motors' angles and currents alone, on level ground.
 struct GraspScript {
   double open_share = 1.0;    // of the scoops' widest
