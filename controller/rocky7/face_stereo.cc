@@ -110,7 +110,7 @@ std::optional<FacePlane> FaceStereo::PlaneAt(const FaceView& view,
   const FacePlaneSettings settings{.radius_m =
                                        std::clamp(kFaceShare * p_C->z(), kFaceNear_m, kFaceFar_m)};
   auto plane = PlaneUnder(view.pair, view.disparities, pixel, settings);
-  if (!plane || p_C->z() > kSlopesWithin_m) return plane;
+  if (!plane || p_C->z() > kSlopesWithin_m || front_end_ == FrontEnd::kBlocks7) return plane;
   const double radius_px = view.pair.focal_px * settings.radius_m / p_C->z();
   const int reach = static_cast<int>(std::ceil(radius_px)) + 2 * kFaceBlock_px;
   const int top = std::max(0, static_cast<int>(pixel.y()) - reach);

@@ -40,7 +40,7 @@ class FaceStereo {
   std::optional<Eigen::Vector2d> Pixel(const FaceView& view, const Eigen::Vector3d& p_E,
                                        bool right) const;
   /// Plane about a rectified pixel, in E; the farther, the larger. Near by it is matched again with
-  /// its own slope taken out of the search: blocks shorten slopes.
+  /// its own slope taken out of the search: blocks shorten slopes. Not by the paper's front end.
   std::optional<FacePlane> PlaneAt(const FaceView& view, const Eigen::Vector2d& pixel) const;
   /// Heights over level ground about a place of E.
   ElevationMap HeightsAbout(const FaceView& view, const Eigen::Vector2d& p_E, double half_m) const;

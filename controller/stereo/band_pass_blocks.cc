@@ -66,10 +66,11 @@ void Take(const cv::Mat& costs, const cv::Mat& costs_before, int px, int first,
   }
 }
 
+int Bend(const Least& least) { return least.before - 2 * least.cost + least.after; }
+
 // In sixteenths, by a parabola through the least sum and its neighbours'.
 short InSixteenths(const Least& least) {
-  const int whole = least.at_px * kSubpixels;
-  const int bend = least.before - 2 * least.cost + least.after;
+  const int whole = least.at_px * kSubpixels, bend = Bend(least);
   if (bend <= 0) return static_cast<short>(whole);
   return static_cast<short>(whole + kSubpixels * (least.before - least.after) / (2 * bend));
 }
@@ -97,6 +98,7 @@ cv::Mat MatchBandPassed(const cv::Mat& left, const cv::Mat& right, const BandPas
       if (row[u].before == kNone || row[u].after == kNone) continue;
       const int back_px = row_right[u - row[u].at_px].at_px;
       if (std::abs(back_px - row[u].at_px) > with.most_left_right_px) continue;
+      if (Bend(row[u]) < with.least_bend) continue;
       out.at<short>(v, u) = InSixteenths(row[u]);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "controller/stereo/gray_mat.h"
 #include "controller/stereo/match.h"
 #include "sim/base/hash.h"
 
@@ -97,6 +98,21 @@ TEST(BandPassBlocks, FindMoreInFaintTextureThanSlopesDo) {
   const Found bands = About(Match(images, kBandPass), 12.0);
   EXPECT_GT(bands.density, 0.6);
   EXPECT_GT(bands.density, 1.5 * About(Match(images, slopes), 12.0).density);
+}
+
+int Claimed(const cv::Mat& found) { return cv::countNonZero(found >= 0); }
+
+// Images of noise alone, as of a plain face, and of a texture of twice that noise.
+TEST(BandPassBlocks, LeaveOutFlatSumsOfNoiseAndKeepThoseOfTexture) {
+  const auto claimed = [](double contrast, int least_bend) {
+    const GrayImage left = Shot{.contrast = contrast, .noise = 1.9, .seed = 2}.Image();
+    const GrayImage right =
+        Shot{.shift_px = 12.0, .contrast = contrast, .noise = 1.9, .seed = 3}.Image();
+    return Claimed(MatchBandPassed(MatOn(left), MatOn(right), {.least_bend = least_bend}));
+  };
+  EXPECT_GT(claimed(0.0, 0), 0.1 * kWidth * kHeight);
+  EXPECT_LT(claimed(0.0, 40), 0.15 * claimed(0.0, 0));
+  EXPECT_GT(claimed(20.0, 40), 0.97 * claimed(20.0, 0));
 }
 
 // Of what they claim by chance, most leads back from the right image to another place.
