@@ -11,9 +11,9 @@ struct BandPassSettings {
   int least_px = 0, count_px = 128;  // disparities that are tried, none below 0
   int most_left_right_px = 1;        // that left and right may differ by
   // The sums of a block without texture are flat about their least: the parabola bends by less than
-  // this within a pixel to either side, in quarters of a grey level. 40 drops 88 % of the matches by
-  // chance of noise of 0.75 % of full scale, and 1 % of those of a texture of twice that noise, with
-  // blocks of 7 px. Assumed, 20-80.
+  // this within a pixel to either side, in quarters of a grey level. 40 drops 88 % of the matches
+  // by chance of noise of 0.75 % of full scale, and 1 % of those of a texture of twice that noise,
+  // with blocks of 7 px. Assumed, 20-80.
   int least_bend = 40;
 };
 
