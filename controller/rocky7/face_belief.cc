@@ -55,7 +55,7 @@ void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view
           const FaceSighting& sighting, FaceBelief& belief) {
   if (sighting.normal_E) TakeNormal(sighting, belief);
   // The foot under the face is kept with the target where the view does not hold it any more.
-  std::vector<Eigen::Vector2d> obstacles = ObstaclesAbout(view, sighting.p_E.head<2>());
+  std::vector<Eigen::Vector2d> obstacles = ObstaclesAbout(view, sighting.p_E);
   for (const Eigen::Vector2d& p_E : belief.obstacles_E) {
     const Eigen::Vector2d moved = p_E + (sighting.p_E - belief.p_ET).head<2>();
     if (!stereo.Pixel(view, {moved.x(), moved.y(), kFoot_m}, false)) obstacles.push_back(moved);

@@ -19,6 +19,11 @@ constexpr double kGoodOff_rad = Radians(1.2), kEachPair_rad = Radians(0.25),
                  kMostOff_rad = Radians(3.5);
 // And where no path is expected to leave less: half of the 5 deg. Assumed, 2-3 deg.
 constexpr double kGoodEnough_rad = Radians(2.5);
+// In the first pairs near by the rover does not place with more than this, though the mast cannot
+// follow the normal from the goal: an arc past the goal may bring the tool nearer to it. Assumed,
+// 3.5-4.5 deg, as above, and 5-15 pairs.
+constexpr double kMostLeft_rad = Radians(4.0);
+constexpr int kNearerPairs = 8;
 // What is left to the goal's pose before single corrections. Assumed, 8-20 cm.
 constexpr double kCorrectsWithin_m = 0.12;
 
@@ -51,7 +56,9 @@ FaceDecision DecideNear(const Nominal& nominal, const FaceApproachOptions& optio
   const double off_rad = std::abs(goal.stance.off_rad);
   const double unreachable_rad =
       options.corrects ? std::min(off_rad, PlaceToTouch(nominal.mast, at_goal).off_rad) : off_rad;
-  if (tool_off_rad < enough_rad + unreachable_rad) return {};
+  const bool tries_nearer = options.corrects && progress.near_pairs <= kNearerPairs;
+  const double left_rad = enough_rad + unreachable_rad;
+  if (tool_off_rad < (tries_nearer ? std::min(left_rad, kMostLeft_rad) : left_rad)) return {};
   const Obstacles obstacles = DiscsOf(belief.obstacles_E);
   std::vector<Arc> path;
   if (options.corrects && left_m < kCorrectsWithin_m) {

@@ -8,8 +8,10 @@
 
 namespace dockyard::rocky7 {
 
-/// Obstacles about a place of E, in plan: the middles of the cells of a raster that are higher over
-/// the ground than wheels and body pass. The ground is the plane that the same image shows.
-std::vector<Eigen::Vector2d> ObstaclesAbout(const FaceView& view, const Eigen::Vector2d& p_E);
+/// Obstacles about a target in E, in plan: the middles of the cells of a raster that are higher
+/// over the ground than wheels and body pass, and connected with the target along the surface. A
+/// patch of wrong ranges at another height is none. The ground is the plane that the same image
+/// shows.
+std::vector<Eigen::Vector2d> ObstaclesAbout(const FaceView& view, const Eigen::Vector3d& p_E);
 
 }  // namespace dockyard::rocky7

@@ -28,6 +28,7 @@ struct Before {
     belief.normal_sigma_rad = Radians(1.0);
   }
   FaceAt Face() const { return FaceNow(nominal, {}, belief); }
+  double Least_m() const { return LeastStandOff(nominal, Face(), belief.obstacles_E); }
   double ToolOffNow() const { return ToolOff(nominal.mast, Face()); }
   FaceDecision Decide(const FaceApproachOptions& options) {
     return DecideNext(nominal, options, belief, Face(), ToolOffNow(), progress);
@@ -50,8 +51,7 @@ TEST(FaceDecision, FarAwayItIsOneArcWithinTheStepsBounds) {
 TEST(FaceDecision, TheStepIsItsShareOfTheDistanceToAMetreBeforeTheGoal) {
   const FaceApproachOptions paper{};
   Before before(6.0, 25.0, 0.0);
-  const auto goal =
-      GoalFor(before.nominal, before.Face(), LeastStandOff(before.nominal, before.Face(), {}), 1.0);
+  const auto goal = GoalFor(before.nominal, before.Face(), before.Least_m(), 1.0);
   ASSERT_TRUE(goal);
   const auto whole = OneArcTo(goal->p_RM_goal, before.nominal.mast.p_RM.head<2>());
   EXPECT_NEAR(before.Decide(paper).arcs.at(0).length_m, 0.1 * whole->length_m, 1e-9);
@@ -124,6 +124,38 @@ TEST(FaceDecision, PlacesWhereNoPathIsExpectedToLeaveLess) {
   const FaceDecision next = before.Decide(kOurs);
   EXPECT_EQ(next.why_not, "");
   EXPECT_TRUE(next.arcs.empty());
+}
+
+// A foot before the face keeps the goal 10 deg off the normal. Nearer by 3 cm of the 5 that wheels
+// keep at the goal the tool is less off: those are driven, and then it places. After eight pairs it
+// places from where it is.
+TEST(FaceDecision, BeforeAGoalOffTheNormalItDrivesNearerWhileThatHelps) {
+  Before before(2.0, 45.0, 0.0);
+  before.progress.near = true;
+  double foot_m = 0.0;
+  std::optional<PlaceGoal> goal;
+  while (!goal || std::abs(goal->stance.off_rad) < Radians(10.0)) {
+    foot_m += 0.005;
+    ASSERT_LT(foot_m, 0.5);
+    before.belief.obstacles_E = {{2.0 - foot_m, 0.1}};
+    goal = GoalFor(before.nominal, before.Face(), before.Least_m());
+  }
+  MoveOn(goal->X_RG, 1.0, Eigen::Vector2d(0.0, 0.0), before.belief);
+  ASSERT_GT(Degrees(before.ToolOffNow()), 9.5);
+  Before late = before;
+  late.progress.near_pairs = 8;
+  EXPECT_TRUE(late.Decide(kOurs).arcs.empty());
+  const double before_rad = before.ToolOffNow();
+  int pairs = 1;
+  FaceDecision next = before.Decide(kOurs);
+  EXPECT_FALSE(next.arcs.empty());
+  while (!next.arcs.empty() && ++pairs < 20) {
+    before.Drive(next.arcs);
+    next = before.Decide(kOurs);
+  }
+  EXPECT_EQ(next.why_not, "");
+  EXPECT_LE(pairs, 3);
+  EXPECT_LT(Degrees(before.ToolOffNow()), Degrees(before_rad) - 2.0);
 }
 
 // A short arc back alone would be followed by a shorter one, again and again.

@@ -61,7 +61,8 @@ TEST(FaceObstacles, IsTheBoulderAndNotTheGroundAboutIt) {
     for (const double err_rad : {0.0, 0.06, -0.06}) {
       FaceView view = ViewOf(0.3, rise, err_rad);
       view.ground_rise = {rise, 0.0};
-      const std::vector<Eigen::Vector2d> cells = ObstaclesAbout(view, {1.6, 0.0});
+      const std::vector<Eigen::Vector2d> cells =
+          ObstaclesAbout(view, {1.6, 0.0, 1.6 * rise + 0.15});
       EXPECT_GE(cells.size(), 6u) << rise << " " << err_rad;
       for (const Eigen::Vector2d& cell : cells) {
         EXPECT_NEAR(cell.x(), 1.6, 0.09) << rise << " " << err_rad;
@@ -69,6 +70,31 @@ TEST(FaceObstacles, IsTheBoulderAndNotTheGroundAboutIt) {
       }
     }
   }
+}
+
+// Far ground matched wrongly: a patch that floats 0.57 m up, from the boulder 0.3 m towards the
+// rover. In plan it is connected with the boulder.
+TEST(FaceObstacles, APatchOfWrongRangesAboveTheGroundIsNone) {
+  FaceView view = ViewOf(0.3, 0.0, 0.0);
+  const RectifiedPair& pair = view.pair;
+  int wrong = 0;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      const Eigen::Vector3d ray =
+          pair.X_RC.R *
+          Eigen::Vector3d((u - pair.centre_px.x()) / 400.0, (v - pair.centre_px.y()) / 400.0, 1);
+      const double depth_m = (0.57 - pair.X_RC.p.z()) / ray.z();
+      const Eigen::Vector3d at = pair.X_RC.p + depth_m * ray;
+      if (at.x() < 1.3 || at.x() > 1.65 || std::abs(at.y()) > 0.1) continue;
+      view.disparities.px[static_cast<std::size_t>(v) * kWidth + u] =
+          static_cast<float>(pair.focal_px * pair.baseline_m / depth_m);
+      ++wrong;
+    }
+  }
+  EXPECT_GT(wrong, 500);
+  const std::vector<Eigen::Vector2d> cells = ObstaclesAbout(view, {1.6, 0.0, 0.15});
+  EXPECT_GE(cells.size(), 6u);
+  for (const Eigen::Vector2d& cell : cells) EXPECT_NEAR(cell.x(), 1.6, 0.09);
 }
 
 }  // namespace
