@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "controller/stereo/face_greys.h"
+#include "controller/stereo/face_warp.h"
 #include "controller/stereo/gray_mat.h"
 #include "controller/stereo/patch_fit.h"
 
@@ -27,65 +28,11 @@ constexpr float kSensorNoise = 2.0F;
 // by what a pixel of the older one spans in it. Assumed, 0.7-1.5 px and 0.3-0.6 of a pixel.
 constexpr double kSmooth_px = 1.0, kPixelSmooths = 0.5;
 
-// Across a face's edge greys mix by smoothing, and disparities by the matcher's blocks: a square of
-// this side must be on the face. Assumed, 3-7 px.
-constexpr int kEdge_px = 5;
-
-// Pixels of the older picture for those of the new one: p_N = (R + t n^T / d) p_C on n . p_C = d.
-Eigen::Matrix3d OlderFromNew(const FacePatch& patch, const Pose3& X_NC) {
-  const double offset_m = patch.normal_C.dot(patch.p_C);
-  const Eigen::Matrix3d M = X_NC.R + X_NC.p * patch.normal_C.transpose() / offset_m;
-  Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
-  K(0, 0) = K(1, 1) = patch.focal_px;
-  K.topRightCorner<2, 1>() = patch.centre_px;
-  return K * M.inverse() * K.inverse();
-}
-
 // The vertex of the parabola through three values, from the middle one.
 double Vertex(double before, double at, double after) {
   const double bend = before - 2.0 * at + after;
   if (bend >= 0.0) return 0.0;
   return std::clamp(0.5 * (before - after) / bend, -0.5, 0.5);
-}
-
-struct SeenPatch {
-  cv::Mat greys, on_face;
-};
-
-// The older picture as seen from the new place, about a pixel there; none beyond its borders.
-std::optional<SeenPatch> SeenFromNew(const FacePatch& patch, const Pose3& X_NC,
-                                     const Eigen::Vector2i& middle, int half) {
-  const int side = 2 * half + 1;
-  Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
-  shift(0, 2) = middle.x() - half;
-  shift(1, 2) = middle.y() - half;
-  const Eigen::Matrix3d H = OlderFromNew(patch, X_NC) * shift;
-  for (const double u : {0.0, side - 1.0}) {
-    for (const double v : {0.0, side - 1.0}) {
-      const Eigen::Vector3d older = H * Eigen::Vector3d(u, v, 1.0);
-      if (older.z() <= 0.0) return std::nullopt;
-      const Eigen::Vector2d pixel = older.head<2>() / older.z();
-      if (pixel.minCoeff() < 0.0 || pixel.x() > patch.left.width - 1.0 ||
-          pixel.y() > patch.left.height - 1.0) {
-        return std::nullopt;
-      }
-    }
-  }
-  cv::Mat map(3, 3, CV_64F);
-  SeenPatch seen;
-  for (int i = 0; i < 9; ++i) map.at<double>(i / 3, i % 3) = H(i / 3, i % 3);
-  cv::warpPerspective(MatOn(patch.left), seen.greys, map, {side, side},
-                      cv::INTER_CUBIC | cv::WARP_INVERSE_MAP);
-  if (patch.on_face.pixels.empty()) {
-    seen.on_face = cv::Mat(side, side, CV_8U, cv::Scalar(255));
-  } else {
-    cv::warpPerspective(MatOn(patch.on_face), seen.on_face, map, {side, side},
-                        cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
-    // Beyond the border nothing is known, which erode() takes for the face.
-    cv::erode(seen.on_face, seen.on_face,
-              cv::getStructuringElement(cv::MORPH_ELLIPSE, {kEdge_px, kEdge_px}));
-  }
-  return seen;
 }
 
 cv::Mat SmoothGreys(const cv::Mat& greys, double sigma_px) {
@@ -166,7 +113,7 @@ Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_
   const int right = std::min(image.width - 1, middle.x() + reach);
   const int bottom = std::min(image.height - 1, middle.y() + reach);
   if (std::min(right - left, bottom - top) < 2 * half + 2) return out;
-  const auto seen = SeenFromNew(patch, X_NC, middle, half);
+  const auto seen = WarpedPatch(patch, X_NC, middle, half);
   if (!seen) return out;
   const cv::Mat greys_then = out.then = SmoothGreys(seen->greys, kSmooth_px);
   const auto own = OwnGreys(greys_then, seen->on_face, settings.least_contrast);
@@ -254,7 +201,12 @@ PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3
   const Eigen::Vector2d first = compared.first.cast<double>();
   const Eigen::Vector2d corner = first - Eigen::Vector2d::Constant(compared.then.cols / 2);
   const Eigen::Vector2d middle = first + Eigen::Vector2d(best.x, best.y);
-  const auto fit = FitPatch(compared.then, compared.face, compared.about, middle - corner);
+  const auto fit_by = [&](const Eigen::Vector2d& edge_px) {
+    return FitPatch(compared.then, compared.face, compared.about, middle - corner,
+                    {.edge_px = edge_px});
+  };
+  auto fit = fit_by(BendAtEdge(patch, X_NC, compared.then.cols / 2));
+  if (!fit) fit = fit_by({0.0, 0.0});
   if (fit) {
     found.pixel = corner + fit->t + fit->A * to_point;
     return found;

@@ -7,7 +7,8 @@
 #include <cstdint>
 
 #include "controller/geometry/image.h"
-#include "controller/stereo/rectify.h"
+#include "controller/geometry/pose.h"
+#include "controller/stereo/kept_face.h"
 
 namespace dockyard {
 
@@ -19,16 +20,6 @@ struct FacePatchSettings {
   double independent = 20.0;    // parts of a patch that look alike by chance; assumed, 10-40
   double least_odds = 3.0;      // log odds of the best place before the next; assumed, 2-5
   double least_contrast = 1.0;  // grey, one sigma over the patch, smoothed; assumed, 0.5-2
-};
-
-/// A view of a face: the left rectified picture and the plane in the camera's frame C.
-struct FacePatch {
-  GrayImage left;
-  double focal_px = 0.0;
-  Eigen::Vector2d centre_px{0, 0};
-  GrayImage on_face{};                 // not 0 where a pixel of left shows the face; empty: all do
-  Eigen::Vector3d p_C{0, 0, 1};        // the point
-  Eigen::Vector3d normal_C{0, 0, -1};  // of the face
 };
 
 enum class PatchVerdict : std::uint8_t {

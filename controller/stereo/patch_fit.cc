@@ -19,7 +19,9 @@ constexpr double kHalfCounts = 2.4, kLeastSigma = 0.5;
 // 1 sigma over the median of the magnitudes, of a Gaussian.
 constexpr double kSigmaOfMedian = 1.4826;
 
-using Row = Eigen::Matrix<double, 8, 1>;
+// The four parts of A, t, gain and offset; then the bend.
+constexpr int kParts = 11, kPlane = 8;
+using Row = Eigen::Matrix<double, kParts, 1>;
 
 // Bilinear; none beyond the border.
 std::optional<double> Sample(const cv::Mat& picture, const Eigen::Vector2d& x) {
@@ -53,24 +55,32 @@ double Scatter(std::vector<double> values, double about) {
   return kSigmaOfMedian * Median(std::move(values));
 }
 
+// X^2, 2 X Y and Y^2 of a pixel.
+Eigen::Vector3d Squares(const Eigen::Vector2d& p, int side) {
+  const Eigen::Vector2d at = p / std::max(1, side / 2);
+  return {at.x() * at.x(), 2.0 * at.x() * at.y(), at.y() * at.y()};
+}
+
 // A pixel of the patch that counts: where it lies in the image by the map of now, and the image
 // there.
 struct Pixel {
   Eigen::Vector2d p, slope;
+  Eigen::Vector3d squares;
   double then = 0.0, now = 0.0;  // greys
 };
 
 std::vector<Pixel> Counting(const cv::Mat& patch, const cv::Mat& on_face, const cv::Mat& image,
-                            const PatchFit& fit) {
+                            const PatchFit& fit, const Eigen::Vector2d& edge_px) {
   std::vector<Pixel> pixels;
   for (int v = 0; v < patch.rows; ++v) {
     for (int u = 0; u < patch.cols; ++u) {
       if (on_face.at<std::uint8_t>(v, u) == 0) continue;
       const Eigen::Vector2d p(u - patch.cols / 2, v - patch.rows / 2);
-      const Eigen::Vector2d x = fit.A * p + fit.t;
+      const Eigen::Vector3d squares = Squares(p, patch.cols);
+      const Eigen::Vector2d x = fit.A * p + fit.t + squares.dot(fit.bend) * edge_px;
       const auto now = Sample(image, x);
       const auto slope = Slope(image, x);
-      if (now && slope) pixels.push_back({p, *slope, patch.at<float>(v, u), *now});
+      if (now && slope) pixels.push_back({p, *slope, squares, patch.at<float>(v, u), *now});
     }
   }
   return pixels;
@@ -96,12 +106,13 @@ Light LightOf(const std::vector<Pixel>& pixels) {
 
 // Normal equations of the next step, and the weighted mean square of what is left.
 struct Equations {
-  Eigen::Matrix<double, 8, 8> N = Eigen::Matrix<double, 8, 8>::Zero();
+  Eigen::Matrix<double, kParts, kParts> N = Eigen::Matrix<double, kParts, kParts>::Zero();
   Row b = Row::Zero();
   double square = 0.0;
 };
 
-Equations EquationsOf(const std::vector<Pixel>& pixels, const Light& light) {
+Equations EquationsOf(const std::vector<Pixel>& pixels, const Light& light,
+                      const Eigen::Vector2d& edge_px) {
   std::vector<double> left;
   for (const Pixel& pixel : pixels)
     left.push_back(pixel.now - light.gain * pixel.then - light.offset);
@@ -112,7 +123,7 @@ Equations EquationsOf(const std::vector<Pixel>& pixels, const Light& light) {
     const Eigen::Vector2d &p = pixels[i].p, &slope = pixels[i].slope;
     Row row;
     row << slope.x() * p.x(), slope.x() * p.y(), slope.y() * p.x(), slope.y() * p.y(), slope.x(),
-        slope.y(), -pixels[i].then, -1.0;
+        slope.y(), -pixels[i].then, -1.0, slope.dot(edge_px) * pixels[i].squares;
     const double weight = 1.0 / (1.0 + left[i] * left[i] / (half * half));
     out.N += weight * row * row.transpose();
     out.b -= weight * left[i] * row;
@@ -123,15 +134,28 @@ Equations EquationsOf(const std::vector<Pixel>& pixels, const Light& light) {
   return out;
 }
 
-// The map is held near the identity.
-void Hold(const Eigen::Matrix2d& A, const PatchFitSettings& settings, Equations& equations) {
+// The map is held near the identity, and the bend near 0.
+void Hold(const PatchFit& fit, const PatchFitSettings& settings, Equations& equations) {
   const double weight =
       settings.alike_px * equations.square / (settings.stretch * settings.stretch);
-  const Eigen::Matrix2d off = A - Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d off = fit.A - Eigen::Matrix2d::Identity();
   for (int i = 0; i < 4; ++i) {
     equations.N(i, i) += weight;
     equations.b[i] -= weight * off(i / 2, i % 2);
   }
+  for (int i = 0; i < 3; ++i) {
+    equations.N(kPlane + i, kPlane + i) += settings.alike_px * equations.square;
+    equations.b[kPlane + i] -= settings.alike_px * equations.square * fit.bend[i];
+  }
+}
+
+// The step of the first parts; 0 of the others.
+Row Solved(const Equations& equations, int parts) {
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kParts, kParts>;
+  const Square N = equations.N.topLeftCorner(parts, parts);
+  Row step = Row::Zero();
+  step.head(parts) = N.ldlt().solve(equations.b.head(parts));
+  return step;
 }
 
 }  // namespace
@@ -143,16 +167,17 @@ std::optional<PatchFit> FitPatch(const cv::Mat& patch, const cv::Mat& on_face,
   fit.t = at;
   Light light;
   for (int round = 0; round < settings.rounds; ++round) {
-    const std::vector<Pixel> pixels = Counting(patch, on_face, picture, fit);
+    const std::vector<Pixel> pixels = Counting(patch, on_face, picture, fit, settings.edge_px);
     if (pixels.size() < 8 * static_cast<std::size_t>(settings.alike_px)) return std::nullopt;
     if (round == 0) light = LightOf(pixels);
-    Equations equations = EquationsOf(pixels, light);
+    Equations equations = EquationsOf(pixels, light, settings.edge_px);
     fit.left = std::sqrt(equations.square);
-    Hold(fit.A, settings, equations);
-    const Row step = equations.N.ldlt().solve(equations.b);
+    Hold(fit, settings, equations);
+    const Row step = Solved(equations, settings.edge_px.isZero() ? kPlane : kParts);
     if (!step.allFinite()) return std::nullopt;
     for (int i = 0; i < 4; ++i) fit.A(i / 2, i % 2) += step[i];
     fit.t += step.segment<2>(4);
+    fit.bend += step.tail<3>();
     light.gain += step[6];
     light.offset += step[7];
     const double stretched = (fit.A - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff();

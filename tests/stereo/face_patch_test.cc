@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/random.h"
+#include "stereo/ray_scene.h"
 
 namespace dockyard {
 namespace {
@@ -85,6 +86,55 @@ TEST(FacePatch, AmongPlacesAlikeThePredictionDecidesOnlyAsFarAsItIsSure) {
   EXPECT_NEAR(sure.pixel.y(), 118.0, 0.2);
   const PatchFound unsure = FindPatch(patch, moved, Pose3{}, 20.0, 30.0, FacePatchSettings{});
   EXPECT_EQ(unsure.verdict, PatchVerdict::kAmbiguous);
+}
+
+// A ball of 15 cm about the origin with stains, from 1 m away and so far to the side.
+struct BallView {
+  GrayImage image{kFaceWidth, kFaceHeight, {}};
+  Pose3 X_WC;
+};
+BallView BallFrom(double side_rad) {
+  BallView view;
+  Eigen::Matrix3d axes;
+  axes << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  view.X_WC = {RotZ(side_rad) * axes, RotZ(side_rad) * Eigen::Vector3d(-1.0, 0.0, 0.0)};
+  const RayScene scene{.stone = {0, 0, 0}, .stone_radius_m = 0.15, .grain_m = 0.012};
+  for (int v = 0; v < kFaceHeight; ++v) {
+    for (int u = 0; u < kFaceWidth; ++u) {
+      const Eigen::Vector3d along =
+          view.X_WC.R * Eigen::Vector3d((u - 160.0) / 800.0, (v - 120.0) / 800.0, 1.0).normalized();
+      const double b = view.X_WC.p.dot(along);
+      const double rest = b * b - view.X_WC.p.squaredNorm() + 0.15 * 0.15;
+      const Eigen::Vector3d at = view.X_WC.p + (-b - std::sqrt(std::max(0.0, rest))) * along;
+      const double grey =
+          rest > 0.0 ? 40.0 + 80.0 * scene.Texture(at + Eigen::Vector3d(1, 2, 3)) : 90;
+      view.image.pixels.push_back(static_cast<std::uint8_t>(std::lround(grey)));
+    }
+  }
+  return view;
+}
+
+// A map alone moves the middle by 1.2 to 1.9 px.
+TEST(FacePatch, OnABallItIsWhereItWasThoughThePatchIsWarpedByAPlane) {
+  const BallView then = BallFrom(0.0);
+  for (const double turned_deg : {-14.0, 14.0}) {
+    const BallView now = BallFrom(Radians(turned_deg));
+    // To either side and up.
+    for (const double aside : {-0.4, 0.4}) {
+      const Eigen::Vector3d normal(-std::sqrt(1.0 - aside * aside - 0.04), aside, 0.2);
+      const Pose3 X_CW = Inverse(then.X_WC), X_NC = Inverse(now.X_WC) * then.X_WC;
+      const FacePatch patch{.left = then.image,
+                            .focal_px = 800.0,
+                            .centre_px = {160.0, 120.0},
+                            .p_C = X_CW * Eigen::Vector3d(0.15 * normal),
+                            .normal_C = X_CW.R * normal};
+      const Eigen::Vector3d p_N = X_NC * patch.p_C;
+      const Eigen::Vector2d is = patch.centre_px + 800.0 * p_N.head<2>() / p_N.z();
+      const PatchFound at = FindPatch(patch, now.image, X_NC, 6.0, 18.0, FacePatchSettings{});
+      ASSERT_EQ(at.verdict, PatchVerdict::kFound) << turned_deg << " " << aside;
+      EXPECT_LT((at.pixel - is).norm(), 0.5) << turned_deg << " " << aside;
+    }
+  }
 }
 
 // A boulder's edge before the ground: what is behind it moves by another way.

@@ -106,6 +106,38 @@ TEST(PatchFit, AShadowThatCameOverAPartDoesNotMoveTheMiddle) {
   }
 }
 
+// A rounded face, whose edge the parallax moves by 3 px against the plane's. The map alone moves
+// the middle by the mean of that, 2/3 of 3 px.
+TEST(PatchFit, ABendDoesNotMoveTheMiddle) {
+  const Vector2d edge(3.0, -1.0), t(40.3, 39.6);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Stains stains(seed);
+    RandomStream random(seed);
+    const Pair pair = Shown(stains, Matrix2d::Identity(), t, 1.0, seed);
+    cv::Mat image(81, 81, CV_32F);
+    for (int v = 0; v < 81; ++v) {
+      for (int u = 0; u < 81; ++u) {
+        Vector2d p = Vector2d(u, v) - t;
+        for (int i = 0; i < 20; ++i) p = Vector2d(u, v) - t - edge * p.squaredNorm() / 400.0;
+        image.at<float>(v, u) = static_cast<float>(1.3 * stains.At(p) - 5.0 + random.Normal());
+      }
+    }
+    const auto fit_by = [&](const PatchFitSettings& settings) {
+      return FitPatch(pair.patch, pair.on_face, image, {41.0, 39.0}, settings);
+    };
+    const auto fit = fit_by({.edge_px = edge});
+    ASSERT_TRUE(fit.has_value()) << seed;
+    EXPECT_LT((fit->t - t).norm(), 0.25) << seed;
+    EXPECT_NEAR(fit->bend.x(), 1.0, 0.15) << seed;
+    EXPECT_NEAR(fit->bend.y(), 0.0, 0.15) << seed;
+    EXPECT_NEAR(fit->bend.z(), 1.0, 0.15) << seed;
+    const auto plane = fit_by({});
+    if (plane) {
+      EXPECT_GT((plane->t - t).norm(), 1.0) << seed;
+    }
+  }
+}
+
 TEST(PatchFit, RefusesAnotherFaceAndOneOfWhichNothingCounts) {
   int fits = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
