@@ -18,7 +18,7 @@ constexpr double kBend_per_m = 6.0, kLeastFacing = 0.4;
 // this side must be on the face. Assumed, 3-7 px.
 constexpr int kEdge_px = 5;
 
-// Pixels of the older picture for those of the new one: p_N = (R + t n^T / d) p_C on n . p_C = d.
+// Pixels of the older image for those of the new one: p_N = (R + t n^T / d) p_C on n . p_C = d.
 Eigen::Matrix3d OlderFromNew(const FacePatch& patch, const Pose3& X_NC) {
   const double offset_m = patch.normal_C.dot(patch.p_C);
   const Eigen::Matrix3d M = X_NC.R + X_NC.p * patch.normal_C.transpose() / offset_m;
@@ -32,8 +32,8 @@ Eigen::Vector2d PixelOf(const FacePatch& patch, const Eigen::Vector3d& p_C) {
   return patch.centre_px + patch.focal_px * p_C.head<2>() / p_C.z();
 }
 
-// In the new picture, for each metre that the surface is over the plane: how far what is there lies
-// from where the plane has it.
+// The shift of a point in the new image, for each metre that it is over the plane: from where its
+// pixel's point on the plane would be.
 Eigen::Vector2d ParallaxPerMetre(const FacePatch& patch, const Pose3& X_NC) {
   constexpr double kOver_m = 0.005;
   const Eigen::Vector3d over_C = patch.p_C + kOver_m * patch.normal_C;

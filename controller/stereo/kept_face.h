@@ -7,7 +7,7 @@
 
 namespace dockyard {
 
-/// A view of a face: the left rectified picture and the plane in the camera's frame C.
+/// The left rectified image of a face, and the face's plane in the camera's frame C.
 struct FacePatch {
   GrayImage left;
   double focal_px = 0.0;

@@ -19,7 +19,7 @@ struct PatchFitSettings {
 };
 
 /// x = A p + t + (c0 X^2 + 2 c1 X Y + c2 Y^2) edge_px: p from the patch's middle pixel, (X, Y) the
-/// same over half its side, x in the picture.
+/// same over half its side, x in the image.
 struct PatchFit {
   Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
   Eigen::Vector2d t{0, 0};
