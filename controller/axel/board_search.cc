@@ -39,8 +39,9 @@ bool BoardSearch::Move(const Senses& senses, const Moment& since, Commands* comm
     return TurnInPlace(nominal_, options_, amount, turned_rad, commands);
   if (action_->move == SearchMove::kReverse)
     return ReverseStraight(nominal_, options_, amount, rolled_m, commands);
-  return pull_.Step(senses, commands) || senses.reeled_m() - since.reeled_m >= amount ||
-         rolled_m >= amount || rolled_m <= -options_.search.backwards_m ||
+  return pull_.Step(senses, commands) != TetherPull::Status::kPulls ||
+         senses.reeled_m() - since.reeled_m >= amount || rolled_m >= amount ||
+         rolled_m <= -options_.search.backwards_m ||
          std::abs(turned_rad) >= options_.search.pull_turn_rad;
 }
 

@@ -33,6 +33,8 @@ class BoardSearch {
   bool StopsAbeam(const SearchKnowledge& known) const;
   void Seek() { seeking_ = true; }
   void Drives() { seeking_ = false; }
+  /// Whether a pull has pulled the station along.
+  bool station_slides() const { return pull_.slid(); }
 
  private:
   Nominal nominal_;

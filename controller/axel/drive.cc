@@ -68,6 +68,13 @@ double TensionFromCurrent(const Nominal& nominal, double current_a) {
          nominal.drum_radius_m;
 }
 
+MotorCommand PayOut(const Nominal& nominal, double speed_m_s, double accel_rad_s2) {
+  return {.mode = MotorMode::kVelocity,
+          .target = -speed_m_s / nominal.drum_radius_m,
+          .accel_rad_s2 = accel_rad_s2,
+          .current_limit_a = nominal.motors[static_cast<std::size_t>(Motor::kSpool)].max_current_a};
+}
+
 MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2) {
   return {.mode = MotorMode::kVelocity,
           .target = reel_m_s / nominal.drum_radius_m,

@@ -28,6 +28,8 @@ double WheelThrust(const Nominal& nominal, const SensorFrame& sensed);
 double CurrentForTension(const Nominal& nominal, double tension_n);
 /// The reverse: tension from a current while reeling [N], >= 0.
 double TensionFromCurrent(const Nominal& nominal, double current_a);
+/// Drives the tether out at this speed.
+MotorCommand PayOut(const Nominal& nominal, double speed_m_s, double accel_rad_s2);
 /// Reels in at this speed, with the current limit for this tension: the spool takes up slack,
 /// stalls at the tension and pays out above it.
 MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2);

@@ -122,7 +122,9 @@ void Driving::Enter(Phase phase, const Senses& senses) {
     if (phase == Phase::kEnter) speed.thrust_n = options_.mate.enter_thrust_n;
     Start(speed, senses.now());
   } else if (to_axis || back) {
-    Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses.now());
+    LegDriver::Speed speed{drive.approach_m_s, drive.reverse_m_s, drive.steering};
+    speed.pays_out = digs_ > 0;
+    Start(speed, senses.now());
   }
 }
 
@@ -162,7 +164,9 @@ void Driving::PlanAnew(const Senses& senses) {
 
 LegDriver::Status Driving::Drive(Senses* senses, Commands* commands) {
   PlanAnew(*senses);
-  return driver_->Drive(senses, commands);
+  const LegDriver::Status status = driver_->Drive(senses, commands);
+  digs_ += status == LegDriver::Status::kDigs;
+  return status;
 }
 
 }  // namespace dockyard::axel

@@ -70,6 +70,7 @@ class Driving {
   std::optional<Tick> off_since_;
   std::vector<PlannedArc> planned_;
   int plan_count_ = 0, legs_ = 0;
+  int digs_ = 0;  // legs on which the wheels dug
 };
 
 }  // namespace dockyard::axel

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/axel/drive.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 namespace {
@@ -33,6 +34,7 @@ BoardFix SeatedFix(const Nominal& nominal) {
 }
 
 void Haul::Enter(Stage stage, const Senses& senses) {
+  slide_.NextStage(senses);
   stage_ = stage;
   entered_ = senses.now();
   reeled_m_ = senses.reeled_m();
@@ -55,18 +57,21 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   const bool stalled = still_.Still(senses.now(), senses.reeled_m()) >= options_.mate.stuck_after;
   MotorCommand& spool = commands->motors[static_cast<std::size_t>(Motor::kSpool)];
   if (stage_ == Stage::kDraw) {
-    const bool drawn = pull_.Step(senses, commands);
+    const TetherPull::Status pull = pull_.Step(senses, commands);
     if (senses.reeled_m() - reeled_m_ > options_.search.reel_limit_m) return Status::kLoose;
-    if (drawn) Enter(Stage::kAlign, senses);
+    if (pull != TetherPull::Status::kPulls) Enter(Stage::kAlign, senses);
+    slide_.Begin(senses);
     return Status::kUnderWay;
   }
   if (stage_ == Stage::kEase) {
     spool =
-        Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n, tether.accel_rad_s2);
+        Winch(nominal_, options_.mate.taut_m_s, SeatTension(options_, senses), tether.accel_rad_s2);
     return since >= haul.ease_time ? Status::kHeld : Status::kUnderWay;
   }
+  if (slide_.Slides(senses)) return Status::kLoose;
   const bool gently = stage_ == Stage::kAlign;
-  spool = Winch(nominal_, tether.reel_m_s, gently ? haul.align_tension_n : tether.reel_tension_n,
+  const double align_n = std::min(haul.align_tension_n, SurePull(nominal_, options_.hold, senses));
+  spool = Winch(nominal_, tether.reel_m_s, gently ? align_n : tether.reel_tension_n,
                 tether.accel_rad_s2);
   if (stage_ == Stage::kPull) {
     if (stalled) Enter(Stage::kPush, senses);

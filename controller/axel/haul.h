@@ -33,14 +33,15 @@ class Haul {
   enum class Status {
     kUnderWay,
     kHeld,   // at rest in the cone
-    kLoose,  // the spool stalls somewhere else
+    kLoose,  // the spool stalls somewhere else, or drags the station
   };
 
   Haul(const Nominal& nominal, const AxelOptions& options)
       : nominal_(nominal),
         options_(options),
         pull_(nominal, options),
-        still_(options.tether.still_m) {}
+        still_(options.tether.still_m),
+        slide_(nominal.arm_length_m, options.slide) {}
 
   void Begin(const Senses& senses);
   Status Step(const Senses& senses, Commands* commands);
@@ -58,6 +59,7 @@ class Haul {
   AxelOptions options_;
   TetherPull pull_;
   StillWatch still_;
+  SlideWatch slide_;
   Stage stage_ = Stage::kDraw;
   Tick entered_ = 0;
   double reeled_m_ = 0.0;                            // when the stage began

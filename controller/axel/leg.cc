@@ -38,6 +38,7 @@ LegDriver::LegDriver(const Nominal& nominal, const AxelOptions& options, const P
     : nominal_(nominal),
       options_(options),
       tether_(TetherGeometryOf(nominal)),
+      dig_watch_(tether_, options.dig),
       follower_(X_DR_start, std::move(arcs)),
       speed_(speed) {
   const double slowest = std::min(speed.forward_m_s, speed.reverse_m_s);
@@ -78,6 +79,7 @@ MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
   const TetherOptions& tether = options_.tether;
   const double shorten = -ExposedTetherRate(tether_, senses.pose(), senses.elevation_rad(),
                                             twist.speed_m_s, twist.turn_rad_s);
+  if (speed_.pays_out && shorten < 0.0) return PayOut(nominal_, -shorten, tether.accel_rad_s2);
   const double reel = std::max(0.0, shorten) + tether.catch_up_m_s;
   const double wanted = Tension(senses, twist.speed_m_s >= 0.0);
   const double friction = shorten < 0.0 ? -nominal_.spool_friction_n : nominal_.spool_friction_n;
@@ -126,6 +128,7 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
       paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
   senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
   if (follower_.done()) return Status::kArrived;
+  if (!speed_.by_tip && !paused_since_ && dig_watch_.Digs(*senses)) return Status::kDigs;
   return senses->now() > deadline_ && !paused_since_ ? Status::kFellShort : Status::kUnderWay;
 }
 
@@ -166,6 +169,15 @@ bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double 
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       Winch(nominal, tether.catch_up_m_s, tether.reverse_tension_n, tether.accel_rad_s2);
   return false;
+}
+
+void DriveOut(const Nominal& nominal, const AxelOptions& options, double pull_n,
+              Commands* commands) {
+  CommandWheels(nominal, {options.drive.approach_m_s, 0.0}, options.drive.wheel_accel_rad_s2,
+                commands);
+  const TetherOptions& tether = options.tether;
+  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+      Winch(nominal, tether.tighten_m_s, pull_n, tether.accel_rad_s2);
 }
 
 void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,

@@ -6,6 +6,7 @@
 
 #include "controller/axel/drive.h"
 #include "controller/axel/senses.h"
+#include "controller/axel/tether_observer.h"
 #include "controller/io/commands.h"
 
 namespace dockyard::axel {
@@ -38,9 +39,10 @@ class LegDriver {
     double forward_m_s = 0.05, reverse_m_s = 0.05;
     Steering steering{};
     double thrust_n = std::numeric_limits<double>::infinity();  // of the wheels
+    bool pays_out = false;  // the spool drives the tether out, so that it does not hold the rover
     bool by_tip = false;  // to the mouth: the tip is steered to the axis, not the axle to the path
   };
-  enum class Status { kUnderWay, kArrived, kFellShort };
+  enum class Status { kUnderWay, kArrived, kFellShort, kDigs };
 
   LegDriver(const Nominal& nominal, const AxelOptions& options, const Pose2& X_DR_start,
             std::vector<Arc> arcs, const Speed& speed, Tick now);
@@ -63,6 +65,7 @@ class LegDriver {
   Nominal nominal_;
   AxelOptions options_;
   TetherGeometry tether_;
+  DigWatch dig_watch_;
   PathFollower follower_;
   Speed speed_;
   Tick deadline_ = 0;
@@ -86,6 +89,9 @@ bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amou
 /// has. The spool gives way.
 bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double amount_m,
                      double rolled_m, Commands* commands);
+/// Wheels and spool, with at most pull_n, draw the rover ahead, out of a hole that its wheels dug.
+void DriveOut(const Nominal& nominal, const AxelOptions& options, double pull_n,
+              Commands* commands);
 /// Lets the wheels run down, then brakes them.
 void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
                 Commands* commands);

@@ -1,5 +1,6 @@
 #include "controller/axel/machine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "controller/axel/machine_impl.h"
 #include "controller/axel/rock_check.h"
+#include "controller/axel/station_hold.h"
 #include "controller/base/check.h"
 #include "controller/motion/limits.h"
 
@@ -76,6 +78,8 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
     case Phase::kMate:
     case Phase::kEnter:
       return Drive(commands);
+    case Phase::kOut:
+      return ComeOut(commands);
     case Phase::kReel:
       return reel_in_.Step(senses_, commands) ? std::optional(Event::kReeledIn) : std::nullopt;
     case Phase::kConfirm:
@@ -128,8 +132,22 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   }
   if (status == LegDriver::Status::kUnderWay) return std::nullopt;
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
+  if (status == LegDriver::Status::kDigs) {
+    belief_.note = "wheels dig";
+    const bool back = phase_ == Phase::kBackOff || phase_ == Phase::kRecover;
+    return back ? Event::kDigs : Event::kArrived;
+  }
   const std::optional<Event> onward = GoesOn(status) ? driving_.PlanOnward(senses_) : std::nullopt;
   return onward.value_or(Event::kArrived);
+}
+
+// By the drum, as the wheels slip.
+std::optional<Event> AxelMachine::ComeOut(Commands* commands) {
+  const double pull_n =
+      std::min(options_.tether.first_tension_n, SurePull(nominal_, options_.hold, senses_));
+  DriveOut(nominal_, options_, pull_n, commands);
+  const bool out = senses_.reeled_m() - entered_->reeled_m >= options_.dig.out_m;
+  return out || InPhase() >= options_.dig.out_limit ? std::optional(Event::kArrived) : std::nullopt;
 }
 
 // Out of the cone, which tilts the rover by itself.

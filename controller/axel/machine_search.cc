@@ -11,7 +11,8 @@ SearchKnowledge AxelMachine::Known() const {
   const PlanGeometry& geometry = driving_.geometry();
   const TipPlace tip = TipOf(geometry, X_DR);
   return {SeesBoard(geometry, options_.look, X_DR), BoardBearing(geometry, X_DR),
-          std::hypot(tip.gap_m, tip.offset_m), TetherAngle(geometry, X_DR)};
+          std::hypot(tip.gap_m, tip.offset_m), TetherAngle(geometry, X_DR),
+          search_.station_slides()};
 }
 
 std::optional<Event> AxelMachine::Search(Commands* commands) {

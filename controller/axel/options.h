@@ -47,6 +47,41 @@ struct TetherOptions {
   Tick tether_fix_period = 400;  // corrections nearer in time repeat the same error
 };
 
+/// Of the station on its soles.
+struct HoldOptions {
+  // Tolerances of station.yaml.
+  double friction_share = 0.2, weight_share = 0.05;
+  // Peaks of the tension over its set point: the gears lose some, and a wheel that rolls
+  // off a paddle pulls (1.27 simulated). Assumed, 1.2-1.5.
+  double peak = 1.25;
+  double least_pull_n = 45.0;  // it keeps the tether taut; assumed, 30-50
+  // A pull that drags the station is weaker by this factor from then on. Assumed, 0.5-0.8.
+  double weaker = 0.6;
+};
+
+/// Of a pull that drags the station.
+struct SlideOptions {
+  // Tether taken up beyond what the tip can have come nearer, and a share of all that was taken up:
+  // a drum is built to 5 %. Before the pull has stalled once, what lay loose and what the tether
+  // stretches is taken up, too, and the rover is dragged by some centimetres before its wheels
+  // roll. Assumed, 1-4 cm, 6-12 cm and 0.05-0.1.
+  double beyond_m = 0.02, beyond_at_first_m = 0.10, share = 0.06;
+};
+
+/// Of wheels that roll without getting on.
+struct DigOptions {
+  // The tether's length must change by this much, by the wheels, before it is compared: 5 s at 0.05
+  // m/s. Assumed, 0.15-0.4 m.
+  double rolled_m = 0.25;
+  // By FilterNoise::slip, 5 deg uphill on compact soil against 40 N of tether leave 0.57. Assumed,
+  // 0.15-0.4.
+  double least_share = 0.25;
+  // Out of the hole it drives ahead so far, by the drum, wheels and spool together. Assumed,
+  // 0.2-0.5 m and 8-20 s.
+  double out_m = 0.35;
+  Tick out_limit = 12'000;
+};
+
 struct DriveOptions {
   double approach_m_s = 0.05;       // Axel-class test speed; assumed, 0.03-0.10
   double mate_m_s = 0.03;           // "speed is reduced" (Tsai et al., IV); assumed, 0.02-0.05
@@ -396,6 +431,9 @@ struct LimitOptions {
 struct AxelOptions {
   TetherOptions tether{};
   DriveOptions drive{};
+  HoldOptions hold{};
+  SlideOptions slide{};
+  DigOptions dig{};
   ArmOptions arm{};
   LookOptions look{};
   MovingOptions moving{};

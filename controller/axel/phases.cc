@@ -36,6 +36,9 @@ constexpr std::array kTransitions = {
     Transition{Phase::kAlign, Event::kGoAlign, Phase::kAlign},
     Transition{Phase::kBackOff, Event::kArrived, Phase::kTighten},
     Transition{Phase::kRecover, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kBackOff, Event::kDigs, Phase::kOut},
+    Transition{Phase::kRecover, Event::kDigs, Phase::kOut},
+    Transition{Phase::kOut, Event::kArrived, Phase::kTighten},
     Transition{Phase::kMate, Event::kArrived, Phase::kRecheck},
     Transition{Phase::kRecheck, Event::kGoMate, Phase::kEnter},
     Transition{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
@@ -54,9 +57,9 @@ constexpr std::array kTransitions = {
 
 const char* Name(Phase phase) {
   static constexpr std::array<const char*, kPhaseCount> kNames = {
-      "tighten",   "look",    "search", "approach", "align",   "back_off", "recover",
-      "mate",      "recheck", "enter",  "reel",     "confirm", "haul",     "undock",
-      "excursion", "return",  "right",  "docked",   "given_up"};
+      "tighten", "look",      "search",  "approach", "align",  "back_off", "out",
+      "recover", "mate",      "recheck", "enter",    "reel",   "confirm",  "haul",
+      "undock",  "excursion", "return",  "right",    "docked", "given_up"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 

@@ -13,6 +13,7 @@ enum class Phase {
   kApproach,   // drive a leg, far away
   kAlign,      // drive a leg onto the cone's axis
   kBackOff,    // reverse because there is no room for the arcs
+  kOut,        // ahead out of a hole that the wheels dug
   kRecover,    // reverse to the recovery goal after a failed check
   kMate,       // slowly to the mouth
   kRecheck,    // take one more sighting
@@ -41,6 +42,7 @@ enum class Event {
   kGoBlind,     // no camera shows the board
   kInside,      // the tip is deep in the cone already
   kArrived,     // the move is over, complete or not
+  kDigs,        // the wheels roll, and the rover gets no further
   kReeledIn,    // reeled in as far as asked
   kStopsShort,  // it is not all the way in, and may be with another push
   kStuck,       // it does not go in, or does not stay in

@@ -32,7 +32,7 @@ std::optional<SearchAction> Listed(int attempt, const SearchKnowledge& known,
 }  // namespace
 
 bool PullFirst(const SearchKnowledge& known, const SearchOptions& options) {
-  return std::abs(known.tether_rad) > options.tether_rad &&
+  return !known.station_slides && std::abs(known.tether_rad) > options.tether_rad &&
          known.tip_gap_m > options.reel_m + options.pull_room_m;
 }
 

@@ -29,6 +29,7 @@ struct SearchKnowledge {
   double expected_bearing_rad = 0.0;  // left positive
   double tip_gap_m = 0.0;             // tip to mouth, whichever way
   double tether_rad = 0.0;            // against the arm in plan, left positive
+  bool station_slides = false;        // when it is pulled
 };
 
 /// Whether the tether is abeam, with room for a pull that turns the rover towards the station.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/axel/moving_looks.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 
@@ -22,9 +23,10 @@ double SeatCheck::slipped_m(const Senses& senses) const {
   return std::abs(senses.reeled_m() - braked_->reeled_m);
 }
 
-MotorCommand SeatCheck::DrawnTaut() const {
+MotorCommand SeatCheck::DrawnTaut(const Senses& senses) const {
   const MateOptions& mate = options_.mate;
-  return Winch(nominal_, mate.taut_m_s, mate.taut_tension_n, options_.tether.accel_rad_s2);
+  return Winch(nominal_, mate.taut_m_s, SeatTension(options_, senses),
+               options_.tether.accel_rad_s2);
 }
 
 bool SeatCheck::Step(const SensorFrame& sensed, Tick in_phase, const Locator& locate,
@@ -44,7 +46,7 @@ bool SeatCheck::Step(const SensorFrame& sensed, Tick in_phase, const Locator& lo
 
 bool SeatCheck::Steadied(const Senses& senses, Tick in_phase, Commands* commands) {
   if (braked_) return true;
-  CommandOf(commands, Motor::kSpool) = DrawnTaut();
+  CommandOf(commands, Motor::kSpool) = DrawnTaut(senses);
   const bool waited = in_phase >= options_.drive.stop_time + options_.tether.taut_after;
   const Tick still = still_.Still(senses.now(), senses.reeled_m());
   const bool still_enough = waited && still >= options_.tether.taut_after;
@@ -87,7 +89,7 @@ bool SeatCheck::TautAgain(const Senses& senses, Commands* commands) {
   const Tick still = still_.Still(now, senses.reeled_m());
   const bool taut = std::min(still, now - *taut_from_) >= options_.tether.taut_after;
   if (!again_ && !taut && now - *taut_from_ < options_.mate.taut_limit) {
-    CommandOf(commands, Motor::kSpool) = DrawnTaut();
+    CommandOf(commands, Motor::kSpool) = DrawnTaut(senses);
     return false;
   }
   if (!again_) {

@@ -29,7 +29,7 @@ class SeatCheck {
   bool TookImage(const SensorFrame& sensed, const Locator& locate, SightingJudge* judge,
                  Senses* senses, Commands* commands);
   bool TautAgain(const Senses& senses, Commands* commands);
-  MotorCommand DrawnTaut() const;
+  MotorCommand DrawnTaut(const Senses& senses) const;
 
   Nominal nominal_;
   AxelOptions options_;

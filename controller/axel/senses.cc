@@ -41,6 +41,7 @@ void Senses::Update(const SensorFrame& sensed) {
   wheel_thrust_n_ += share * (WheelThrust(nominal_, sensed) - wheel_thrust_n_);
   const Motion motion = odometer_.Read(sensed, ground_, filter_.pose().heading);
   rolled_m_ += motion.length_m;
+  by_wheels_ = Advance(by_wheels_, Arc{motion.length_m, motion.turn_rad});
   const GroundForce force = ForceNow(reeled_m_ < reeled_before_m);
   const Pose2 before = filter_.pose();
   filter_.Predict(motion, seconds, force, WheelsFree(sensed));

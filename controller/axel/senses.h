@@ -67,6 +67,8 @@ class Senses {
   Pose2 pose() const { return filter_.pose(); }
   /// By odometry alone, from anywhere: no sighting and no tether moves it.
   Pose2 reckoned() const { return reckoned_; }
+  /// By wheels and inertial unit alone, since power-on: as if nothing slipped.
+  const Pose2& by_wheels() const { return by_wheels_; }
 
   /// Board in the body, by dead reckoning; none before the first fix.
   std::optional<Pose3> ExpectedBoard() const;
@@ -85,6 +87,7 @@ class Senses {
   Odometer odometer_;
   PoseFilter filter_;
   Pose2 reckoned_;
+  Pose2 by_wheels_;
   GroundSlope ground_;
   Attitude attitude_;
   GroundForce force_{};  // low-passed

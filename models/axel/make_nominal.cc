@@ -1,6 +1,7 @@
 #include "models/axel/make_nominal.h"
 
 #include "models/axel/mating_fit.h"
+#include "models/parts/gravity.h"
 
 namespace dockyard::axel {
 
@@ -23,6 +24,8 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.drum_radius_m = rover.tether.drum_radius_m;
   const MotorModel& spool = rover.motors[static_cast<std::size_t>(Motor::kSpool)];
   nominal.spool_friction_n = spool.gear_friction_nm / rover.tether.drum_radius_m;
+  nominal.station_weight_n = station.module.mass_kg * kEarthGravity_m_s2;
+  nominal.station_friction = station.foot_friction;
   nominal.mouth_height_m = station.mouth_height_m;
   nominal.anchor_depth_m = station.anchor_depth_m;
   nominal.throat_depth_m = station.cone.funnel_length_m;

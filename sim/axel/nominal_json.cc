@@ -75,6 +75,10 @@ void VisitMembers(N& n, const Visit& visit) {
   visit("mouth_height_m", n.mouth_height_m);
   visit("anchor_depth_m", n.anchor_depth_m);
   visit("spool_friction_n", n.spool_friction_n);
+  if (visit.Has("station_weight_n", true)) {  // logs of earlier versions have none
+    visit("station_weight_n", n.station_weight_n);
+    visit("station_friction", n.station_friction);
+  }
   visit("throat_depth_m", n.throat_depth_m);
   visit("seat_depth_m", n.seat_depth_m);
   visit("mating_depth_m", n.mating_depth_m);

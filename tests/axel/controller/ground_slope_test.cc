@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "axel/controller/kinematic_rover.h"
 #include "controller/axel/odometry.h"
 #include "controller/axel/pose_filter.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 namespace {
@@ -54,6 +56,15 @@ TEST_P(OnSlope, OneSharpSightingTeachesIt) {
   const GroundSlope ground = Learned(InDock(at_, body_));
   EXPECT_FALSE(ground.level());
   EXPECT_LT((ground.up_D() - Up()).norm(), 1e-9);
+}
+
+// D's x points out of the cone. Downhill of it the weight pulls the rover out.
+TEST_P(OnSlope, SeatIsHeldAgainstTheWeight) {
+  const AxelOptions options{};
+  Senses senses(nominal_, options);
+  senses.SetGround(Learned(InDock(at_, body_)));
+  const double out_n = -390.0 * Up().x();
+  EXPECT_NEAR(SeatTension(options, senses), 100.0 + std::max(0.0, out_n), 1e-6);
 }
 
 TEST_P(OnSlope, AttitudeAgainstTheGroundIsWhatTheRoverHas) {

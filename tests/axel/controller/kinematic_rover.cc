@@ -50,6 +50,8 @@ Nominal TestNominal() {
   nominal.drum_radius_m = 0.06;
   nominal.anchor_depth_m = 0.35;
   nominal.spool_friction_n = 8.0;
+  nominal.station_weight_n = 343.0;
+  nominal.station_friction = 0.4;
   nominal.throat_depth_m = 0.12;
   nominal.seat_depth_m = 0.23;
   return nominal;

@@ -33,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(Paper, PhaseTable,
                                          Row{Phase::kEnter, Event::kArrived, Phase::kReel},
                                          Row{Phase::kConfirm, Event::kStopsShort, Phase::kReel},
                                          Row{Phase::kConfirm, Event::kStuck, Phase::kRecover},
+                                         Row{Phase::kBackOff, Event::kDigs, Phase::kOut},
+                                         Row{Phase::kRecover, Event::kDigs, Phase::kOut},
+                                         Row{Phase::kOut, Event::kArrived, Phase::kTighten},
                                          Row{Phase::kReel, Event::kReeledIn, Phase::kConfirm},
                                          Row{Phase::kConfirm, Event::kSteady, Phase::kDocked}));
 
