@@ -123,7 +123,7 @@ void Driving::Enter(Phase phase, const Senses& senses) {
     Start(speed, senses.now());
   } else if (to_axis || back) {
     LegDriver::Speed speed{drive.approach_m_s, drive.reverse_m_s, drive.steering};
-    speed.pays_out = digs_ > 0;
+    speed.pays_out = back && digs_ > 0;
     Start(speed, senses.now());
   }
 }

@@ -126,7 +126,8 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   LimitThrust(nominal_, speed_.thrust_n, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
-  senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
+  // A tether that is driven out is slack, and tells no length.
+  if (!speed_.pays_out) senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
   if (follower_.done()) return Status::kArrived;
   if (!speed_.by_tip && !paused_since_ && dig_watch_.Digs(*senses)) return Status::kDigs;
   return senses->now() > deadline_ && !paused_since_ ? Status::kFellShort : Status::kUnderWay;
