@@ -52,26 +52,29 @@ ConvexBody TargetStone(const Rocky7Keys& keys, const Seed& seed) {
   return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;
 }
 
-StarBody RockOf(const Scenario& scenario, const Rocky7Keys& keys, const RoverModel& rover,
-                std::uint64_t key) {
+StarBody RockOf(const Scenario& scenario, const Rocky7Keys& keys, const RobotModel& robot,
+                const Pose2& X_GR_start, std::uint64_t key) {
   const RoundedRockShape shape{.width_m = keys.boulder_m,
                                .target_up_m = keys.target_up_m,
                                .face_up_rad = keys.face_up_rad,
                                .face_turn_rad = keys.face_turn_rad,
                                .roughness_m = keys.roughness_m};
-  if (!keys.placeable) return MakeRoundedRock(shape, key);
-  auto rock = PlaceableRock(shape, rover, key);
+  const Eigen::Vector3d camera_G = MastCameraAtStart(robot, X_GR_start);
+  auto rock = FirstRock(shape, key, [&](const StarBody& drawn) {
+    return ShowsTarget(drawn, shape, camera_G) &&
+           (!keys.placeable || IsPlaceable(drawn, shape, robot.rover));
+  });
   if (rock) return *std::move(rock);
   throw ConfigError(scenario.start_place +
-                    ": expected a rounded rock on which the mast can place its instrument, found "
-                    "none with rocky7.face_up_deg " +
-                    NumberText(Degrees(keys.face_up_rad)) + " at rocky7.target_up_m " +
-                    NumberText(keys.target_up_m));
+                    ": expected a rounded rock whose target is in view from there" +
+                    (keys.placeable ? ", and on which the mast can place its instrument," : "") +
+                    " found none with rocky7.face_up_deg " + NumberText(Degrees(keys.face_up_rad)) +
+                    " at rocky7.target_up_m " + NumberText(keys.target_up_m));
 }
 
-StarBody BoulderOf(const Scenario& scenario, const Rocky7Keys& keys, const RoverModel& rover,
-                   std::uint64_t key) {
-  if (keys.boulder == BoulderKind::kRounded) return RockOf(scenario, keys, rover, key);
+StarBody BoulderOf(const Scenario& scenario, const Rocky7Keys& keys, const RobotModel& robot,
+                   const Pose2& X_GR_start, std::uint64_t key) {
+  if (keys.boulder == BoulderKind::kRounded) return RockOf(scenario, keys, robot, X_GR_start, key);
   const BoulderShape shape{.width_m = keys.boulder_m,
                            .target_up_m = keys.target_up_m,
                            .face_up_rad = keys.face_up_rad,
@@ -161,7 +164,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
     world.target_buried = models.keys.buried;
   }
   if (models.keys.task == Task::kPlace) {
-    world.boulder = BoulderOf(scenario, models.keys, models.nominal.robot.rover,
+    world.boulder = BoulderOf(scenario, models.keys, models.nominal.robot, world.X_GR_start,
                               StreamKey(scenario.seed, "target"));
     world.target_G = {0.0, 0.0, models.keys.target_up_m};
   }

@@ -25,6 +25,10 @@ constexpr double kLeastBend_rad = Radians(20.0);
 constexpr double kPitch_rad = Radians(2.5), kAway_m = 0.8;
 // Wheels keep off the rock's foot by this. Assumed, 4-8 cm.
 constexpr double kOffFoot_m = 0.05;
+// Half of what a user's click may be off the point that is meant (user_click.cc). Assumed, 1-3 cm.
+constexpr double kShown_m = 0.02;
+
+Vector3d TargetOf(const RoundedRockShape& shape) { return {0.0, 0.0, shape.target_up_m}; }
 
 // Front edge and half the width of the wheels, in R.
 struct Front {
@@ -120,20 +124,39 @@ bool MastMeets(const StarBody& rock, const RoverModel& rover, const Vector3d& ta
   return true;
 }
 
-std::optional<StarBody> PlaceableRock(const RoundedRockShape& shape, const RoverModel& rover,
-                                      std::uint64_t key) {
+Vector3d MastCameraAtStart(const RobotModel& robot, const Pose2& X_GR) {
+  const MastModel& mast = *robot.rover.mast;
+  const auto& [roll_rad, shoulder_rad, elbow_rad] = mast.watch_rad;
+  const Eigen::Matrix3d R_first = RotZ(roll_rad) * RotY(shoulder_rad);
+  const Pose3 X_RK{R_first * RotY(elbow_rad), mast.p_RM + mast.link1_m * R_first.col(0)};
+  return FromGround(X_GR, RollingRadius(robot.rover.tyre)) *
+         (X_RK * robot.mast_pair.nominal.X_RL.p);
+}
+
+bool IsPlaceable(const StarBody& rock, const RoundedRockShape& shape, const RoverModel& rover) {
   const InstrumentModel& instrument = rover.mast->instrument;
-  const Vector3d target(0.0, 0.0, shape.target_up_m);
+  const Vector3d target = TargetOf(shape);
   const Vector3d along(std::cos(shape.face_up_rad) * std::cos(shape.face_turn_rad),
                        std::cos(shape.face_up_rad) * std::sin(shape.face_turn_rad),
                        std::sin(shape.face_up_rad));
+  const auto normal = NormalUnderDisc(rock, target, along, instrument.radius_m);
+  return normal && MastMeets(rock, rover, target, *normal) &&
+         RestsAbout(rock, instrument, target, *normal);
+}
+
+bool ShowsTarget(const StarBody& rock, const RoundedRockShape& shape, const Vector3d& from) {
+  const Vector3d target = TargetOf(shape);
+  const auto shown = FirstOnRay(rock, from, target - from);
+  return shown && (*shown - target).norm() < kShown_m;
+}
+
+std::optional<StarBody> FirstRock(const RoundedRockShape& shape, std::uint64_t key,
+                                  const std::function<bool(const StarBody&)>& takes) {
   for (int draw = 0; draw < kMostDraws; ++draw) {
     const std::uint64_t drawn =
         draw == 0 ? key : StreamKey(Seed(key), "draw " + std::to_string(draw));
     StarBody rock = MakeRoundedRock(shape, drawn);
-    const auto normal = NormalUnderDisc(rock, target, along, instrument.radius_m);
-    if (!normal || !MastMeets(rock, rover, target, *normal)) continue;
-    if (RestsAbout(rock, instrument, target, *normal)) return rock;
+    if (takes(rock)) return rock;
   }
   return std::nullopt;
 }

@@ -7,7 +7,11 @@
 
 #include "models/read/config_error.h"
 #include "rocky7/sim/test_scenario.h"
+#include "sim/base/random.h"
+#include "sim/rigid/slope.h"
 #include "sim/rocky7/build_run.h"
+#include "sim/rocky7/user_click.h"
+#include "sim/rocky7/world.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -76,9 +80,13 @@ TEST(PlaceableRock, IsTheFirstOfItsKeyThatIsPlaceable) {
   const RoundedRockShape shape{.target_up_m = 0.3, .face_up_rad = Radians(35.0)};
   const Eigen::Vector3d target(0.0, 0.0, 0.3);
   const Eigen::Vector3d along(std::cos(Radians(35.0)), 0.0, std::sin(Radians(35.0)));
+  const auto first = [&](std::uint64_t key) {
+    return FirstRock(shape, key,
+                     [&](const StarBody& rock) { return IsPlaceable(rock, shape, rover); });
+  };
   int drawn_again = 0;
   for (std::uint64_t key = 1; key <= 6; ++key) {
-    const auto rock = PlaceableRock(shape, rover, key);
+    const auto rock = first(key);
     ASSERT_TRUE(rock);
     const auto normal = NormalUnderDisc(*rock, target, along, rover.mast->instrument.radius_m);
     ASSERT_TRUE(normal);
@@ -86,10 +94,58 @@ TEST(PlaceableRock, IsTheFirstOfItsKeyThatIsPlaceable) {
     const auto fall_m = FallUnderSwitches(*rock, rover.mast->instrument, target, *normal);
     ASSERT_TRUE(fall_m);
     EXPECT_LE(std::abs(*fall_m), rover.mast->instrument.switch_out_m);
-    EXPECT_EQ(PlaceableRock(shape, rover, key)->vertices, rock->vertices);
+    EXPECT_EQ(first(key)->vertices, rock->vertices);
     drawn_again += rock->vertices != MakeRoundedRock(shape, key).vertices;
   }
   EXPECT_GE(drawn_again, 1);  // one in two does not do
+}
+
+// From the centre of a ball of 0.2 m a camera at distance d is d away; the ball's point at angle a
+// from the line to the camera is in view while cos a > 0.2 / d.
+TEST(PlaceableRock, ABallShowsThePointsOfItsNearSide) {
+  const double radius_m = 0.2, away_m = 6.0;
+  const Eigen::Vector3d target(0.0, 0.0, 0.25);
+  const RoundedRockShape shape{.target_up_m = target.z()};
+  const double horizon_deg = Degrees(std::acos(radius_m / away_m));
+  for (const double off_deg : {0.0, 60.0, -6.0 + horizon_deg, 6.0 + horizon_deg, 180.0}) {
+    const Eigen::Vector3d normal = Up(40.0 + off_deg);
+    const Eigen::Vector3d middle = target - radius_m * normal;
+    EXPECT_EQ(ShowsTarget(Ball(middle, radius_m), shape, middle + away_m * Up(40.0)),
+              off_deg < horizon_deg)
+        << off_deg;
+  }
+}
+
+// Springs yield, the mast hangs by its weight, and wheels sink in.
+TEST(PlaceableRock, TheMastCameraAtTheStartIsWhereTheWorldHasIt) {
+  const Scenario scenario = OnGravel("{task: place}", 5.0, 9.0);
+  const Rocky7Models models = LoadModels(scenario);
+  const BuiltRun run = BuildRun(scenario, models);
+  const Truth truth = World(run.world).truth();
+  const Eigen::Vector3d p_WC = truth.X_WK * run.mast_pair.X_RL.p;
+  const Pose3 X_WG = SiteInWorld(run.world.X_WG, run.world.slope);
+  EXPECT_LT((X_WG * MastCameraAtStart(models.nominal.robot, run.world.X_GR_start) - p_WC).norm(),
+            0.03);
+}
+
+// Runs 5 and 9 of the paper's campaign had their summits behind another part of the rock.
+TEST(PlaceableRock, AScenarioHasARockWhoseSummitIsInView) {
+  Scenario scenario = OnGravel("{task: place, boulder: rounded, face_up_deg: 90}", 5.0, 9.0);
+  int drawn_again = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    scenario.seed = seed;
+    const Rocky7Models models = LoadModels(scenario);
+    const BuiltRun run = BuildRun(scenario, models);
+    EXPECT_NO_THROW(ClickOn(scenario, run, World(run.world).truth())) << seed;
+    const RoundedRockShape shape{.width_m = models.keys.boulder_m,
+                                 .target_up_m = models.keys.target_up_m,
+                                 .face_up_rad = models.keys.face_up_rad,
+                                 .face_turn_rad = models.keys.face_turn_rad,
+                                 .roughness_m = models.keys.roughness_m};
+    const StarBody first = MakeRoundedRock(shape, StreamKey(scenario.seed, "target"));
+    drawn_again += run.world.boulder->vertices != first.vertices;
+  }
+  EXPECT_GE(drawn_again, 1);
 }
 
 TEST(PlaceableRock, AScenarioWithoutOneIsRefused) {
