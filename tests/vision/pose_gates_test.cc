@@ -125,6 +125,21 @@ TEST(PoseGate, TellsTheFalseMarkAmongTheRightOnes) {
   }
 }
 
+// 0.2 deg about the vertical is one sigma of a calibration (pose_refine.h).
+TEST(PoseGate, TakesCamerasTurnedByFourAndAHalfSigmaAndNoneBySix) {
+  const StereoRig rig = TestRig(1024, 768);
+  const Pose3 X_RB = BoardAt(3.0, 10.0, 0.0);
+  for (const double sigmas : {-6.0, -4.5, 4.5, 6.0}) {
+    RandomStream random(StreamKey(11, "gate"));
+    StereoRig built = rig;
+    built.X_RQ.R = built.X_RQ.R * RotY(sigmas * std::sqrt(1.2e-5));
+    const RefinedPose fit = RefinePose(NoisyMarks(built, X_RB, random), Views(rig), kBoard, X_RB);
+    const auto failure = Judge(fit, Views(rig), kLevel);
+    EXPECT_EQ(failure.has_value(), std::abs(sigmas) > 5.0) << sigmas;
+    if (!failure) EXPECT_LT((fit.X_RB.p - X_RB.p).norm(), 0.03) << sigmas;
+  }
+}
+
 TEST(PoseGate, RefusesAPoseThatItselfCallsUseless) {
   const StereoRig rig = TestRig(1024, 768);
   RandomStream random(StreamKey(10, "gate"));

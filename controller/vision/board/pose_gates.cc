@@ -10,6 +10,8 @@ namespace {
 // A third of the errors that count as wrong (0.3 m, 10 deg).
 constexpr double kMostPlaceSigma_m = 0.1, kMostTurnSigma_rad = 10.0 / 3.0 * kPi / 180.0;
 
+constexpr double kMostTurnSigmas = 5.0;
+
 }  // namespace
 
 bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R) {
@@ -54,11 +56,13 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
   const bool fits = fit.misfit <= ChiSquareLimit(fit.freedom);
   if (views.size() == 1 && !fits) return PoseFailure::kPoorFit;
   if (views.size() == 2) {
-    // Four sigma of the calibration's error, by the belief before the first sighting.
+    // By the belief before the first sighting. One calibration in half a million is beyond five
+    // sigma about any of three axes; one in five thousand is beyond four, and a rover with such
+    // cameras would never dock.
     const CameraTurn at_first{};
     const Eigen::Vector3d sigmas =
         fit.turn.mean_rad.cwiseQuotient(at_first.covariance.diagonal().cwiseSqrt());
-    const bool twisted = sigmas.cwiseAbs().maxCoeff() > 4.0;
+    const bool twisted = sigmas.cwiseAbs().maxCoeff() > kMostTurnSigmas;
     if (twisted || !fits) return PoseFailure::kCamerasDisagree;
   }
   const double place_m = std::sqrt(fit.covariance.topLeftCorner<3, 3>().trace());
