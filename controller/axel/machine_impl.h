@@ -53,6 +53,8 @@ class AxelMachine final : public Controller {
 
   Locator Located();
   void Tell(const SightingReport& sighting);
+  /// The newest sighting is none that the estimate took.
+  void RuleOut(const std::string& why);
   void LookUnderWay(const SensorFrame& sensed, Commands* commands);
   bool GoesOn(LegDriver::Status status) const;
   SearchKnowledge Known() const;

@@ -14,10 +14,13 @@ void AxelMachine::LookUnderWay(const SensorFrame& sensed, Commands* commands) {
     LocateOutput seen = perception_.Locate(*images, HintsThen(senses_, *since));
     CarryToNow(*since, options_.noise, &seen);
     Tell(seen.report);
-    if (seen.sighting && judge_.JudgeUnderWay(*seen.sighting, &senses_)) {
+    const bool taken = seen.sighting && judge_.JudgeUnderWay(*seen.sighting, &senses_);
+    if (taken) {
       perception_.camera_turn.Take(*seen.sighting);
       looks_.Accepted(*ExposedAt(sensed));
-      belief_.note = "board seen under way";
+      belief_.note = "board detected on a leg";
+    } else if (seen.sighting) {
+      RuleOut("contradicts dead reckoning on a leg");
     }
   }
   const Pose2 X_DR = senses_.pose();

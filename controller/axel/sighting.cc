@@ -64,7 +64,6 @@ void SightingJudge::Accept(const BoardFix& fix, const GroundSlope& ground, Sense
   senses->SetGround(ground);
   doubted_.reset();
   doubts_ = 0;
-  ++accepted_;
   why_ = "board seen";
 }
 
@@ -92,13 +91,10 @@ SightingJudge::Ruling SightingJudge::Doubt(const BoardFix& fix, Senses* senses) 
   doubts_ = doubted_ && Agree(*doubted_, fix) ? doubts_ + 1 : 1;
   ++doubts_here_;
   doubted_ = fix;
-  // Dead reckoning from several sightings is dropped after more doubts than from one sighting.
-  const int enough = options_.contradictions * (accepted_ < 2 ? 1 : 2);
-  if (doubts_ >= enough) {
+  if (doubts_ >= options_.contradictions) {
     senses->filter().Restart(fix);
     doubted_.reset();
     doubts_ = 0;
-    accepted_ = 1;
     why_ = "dead reckoning dropped";
     return Ruling::kAccepted;
   }

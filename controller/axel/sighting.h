@@ -9,9 +9,8 @@
 
 namespace dockyard::axel {
 
-/// Checks sightings against dead reckoning. When one contradicts it, another is asked for. Once
-/// enough sightings in a row agree with each other, they are accepted and dead reckoning is
-/// dropped.
+/// Checks sightings against dead reckoning. When one contradicts it, another is asked for. Once two
+/// in a row agree with each other, they are accepted and dead reckoning is dropped.
 class SightingJudge {
  public:
   enum class Ruling { kAccepted, kLookAgain, kRejected };
@@ -36,7 +35,7 @@ class SightingJudge {
   LookOptions options_;
   Pose3 X_DB_;
   std::optional<BoardFix> doubted_;
-  int doubts_ = 0, doubts_here_ = 0, accepted_ = 0;
+  int doubts_ = 0, doubts_here_ = 0;
   std::string why_;
 };
 

@@ -40,6 +40,13 @@ TEST_F(Sightings, TwoThatAgreeOverruleOne) {
   EXPECT_NEAR(ToDockingCoords(senses_.pose()).r, 2.02, 1e-6);
 }
 
+TEST_F(Sightings, TwoThatAgreeOverruleSeveral) {
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(judge_.Judge(From(4, 10, 0), &senses_), Ruling::kAccepted);
+  judge_.Judge(From(2, -20, 15), &senses_);
+  EXPECT_EQ(judge_.Judge(From(2.02, -20, 14), &senses_), Ruling::kAccepted);
+  EXPECT_NEAR(ToDockingCoords(senses_.pose()).r, 2.02, 1e-6);
+}
+
 TEST_F(Sightings, OneAloneNeverOverrulesSeveral) {
   for (int i = 0; i < 3; ++i) ASSERT_EQ(judge_.Judge(From(4, 10, 0), &senses_), Ruling::kAccepted);
   EXPECT_EQ(judge_.Judge(From(2, -20, 15), &senses_), Ruling::kLookAgain);
