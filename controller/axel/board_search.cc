@@ -22,8 +22,8 @@ void BoardSearch::Found() {
 }
 
 bool BoardSearch::PullsFirst(const SearchKnowledge& known) {
-  return seeking_ && PullFirst(known, options_.search) &&
-         turning_pulls_++ < options_.search.turning_pulls;
+  return seeking_ && std::abs(known.tether_rad) > options_.search.abeam_rad &&
+         PullFirst(known, options_.search) && turning_pulls_++ < options_.search.turning_pulls;
 }
 
 bool BoardSearch::StopsAbeam(const SearchKnowledge& known) const {

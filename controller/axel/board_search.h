@@ -25,9 +25,8 @@ class BoardSearch {
   /// The board was found.
   void Found();
 
-  /// With the tether abeam it is pulled before the rover drives. In the middle of its arcs the
-  /// rover has the tether aside, too. So this counts only where it finds the board, and a tether
-  /// that does not turn it is not pulled for ever.
+  /// Whether a rover that has found the board pulls before it drives: with the tether so far aside
+  /// that driving would tip it over, and not for ever.
   bool PullsFirst(const SearchKnowledge& known);
   /// Whether a leg ends here: on sand a rover that drives with the tether abeam tips its arm over.
   bool StopsAbeam(const SearchKnowledge& known) const;

@@ -1,8 +1,10 @@
 #include "controller/axel/mating.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/axel/drive.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 
@@ -113,9 +115,11 @@ void ReelIn::RollToAndFro(Tick since, Commands* commands) const {
 // Gently, wheels and spool together roll the rover over its paddles. What that does not bring in,
 // the spool's whole pull does. An arm in the cone bears that pull, so the wheels alone push the
 // station.
-void ReelIn::Pull(Tick still, Commands* commands) const {
+void ReelIn::Pull(const Senses& senses, Tick still, Commands* commands) const {
   const TetherOptions& tether = options_.tether;
-  const double tension_n = gentle_ ? options_.mate.gentle_tension_n : tether.reel_tension_n;
+  const double gentle_n =
+      std::min(options_.mate.gentle_tension_n, SurePull(nominal_, options_.hold, senses));
+  const double tension_n = gentle_ ? gentle_n : tether.reel_tension_n;
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       Winch(nominal_, tether.reel_m_s, tension_n + nominal_.spool_friction_n, tether.accel_rad_s2);
   if (!gentle_ && still >= options_.mate.free_after) {
@@ -129,7 +133,7 @@ void ReelIn::Pull(Tick still, Commands* commands) const {
 
 bool ReelIn::Step(const Senses& senses, Commands* commands) {
   const Tick still = still_.Still(senses.now(), senses.reeled_m());
-  Pull(still, commands);
+  Pull(senses, still, commands);
   if (wiggle_since_) {
     const Tick since = senses.now() - *wiggle_since_;
     if (since < 4 * options_.mate.wiggle_quarter) {

@@ -105,7 +105,7 @@ class ReelIn {
   double taken_up_m(const Senses& senses) const { return senses.reeled_m() - at_wiggle_m_; }
 
  private:
-  void Pull(Tick still, Commands* commands) const;
+  void Pull(const Senses& senses, Tick still, Commands* commands) const;
   void TurnToAndFro(Tick since, Commands* commands) const;
   void RollToAndFro(Tick since, Commands* commands) const;
 

@@ -298,8 +298,9 @@ struct MateOptions {
   double level_rad = Radians(0.5);
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   Tick free_after = 400;     // and the wheels push no more, before the brake; assumed, 0.2-1 s
-  // Two thirds of what slips the station. It ends when nothing came in for gentle_after: at the
-  // lead-in, on the floor, or before a paddle uphill.
+  // Two thirds of what slips the nominal station; less where it bears less for sure
+  // (station_hold.h). It ends when nothing came in for gentle_after: at the lead-in, on the floor,
+  // or before a paddle uphill.
   double gentle_tension_n = 90.0;  // assumed, 60-110
   Tick gentle_after = 1'000;       // assumed, 0.5-2 s
   // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
