@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/axel/mouth_way.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 
@@ -72,7 +73,8 @@ double LegDriver::Tension(const Senses& senses, bool forward) const {
   const TetherOptions& tether = options_.tether;
   if (!forward) return tether.reverse_tension_n;
   const Eigen::Vector3d slope = ExposedTetherSlope(tether_, senses.pose(), senses.elevation_rad());
-  return TensionAside(tether, std::asin(std::min(1.0, std::abs(slope.z()) / tether_.arm_m)));
+  const double aside_rad = std::asin(std::min(1.0, std::abs(slope.z()) / tether_.arm_m));
+  return std::min(TensionAside(tether, aside_rad), TautTension(nominal_, options_, senses));
 }
 
 MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
@@ -125,7 +127,8 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   CommandWheels(nominal_, wheels, options_.drive.wheel_accel_rad_s2, commands);
   LimitThrust(nominal_, speed_.thrust_n, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-      paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
+      paused_since_ ? TautWinch(nominal_, options_.tether, TautTension(nominal_, options_, *senses))
+                    : Spool(*senses, twist);
   // A tether that is driven out is slack, and tells no length.
   if (!speed_.pays_out) senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
   if (follower_.done()) return Status::kArrived;
@@ -138,15 +141,14 @@ double TensionAside(const TetherOptions& tether, double aside_rad) {
   return std::lerp(tether.drive_tension_n, tether.aside_tension_n, std::clamp(share, 0.0, 1.0));
 }
 
-MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options) {
-  return Winch(nominal, options.tighten_m_s, options.drive_tension_n + nominal.spool_friction_n,
+MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options, double tension_n) {
+  return Winch(nominal, options.tighten_m_s, tension_n + nominal.spool_friction_n,
                options.accel_rad_s2);
 }
 
 // A spool whose gears lose a quarter gives way at 1.7 times the tension that it reels with.
-MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options) {
-  return Winch(nominal, 0.0, options.drive_tension_n + nominal.spool_friction_n,
-               options.accel_rad_s2);
+MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options, double tension_n) {
+  return Winch(nominal, 0.0, tension_n + nominal.spool_friction_n, options.accel_rad_s2);
 }
 
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,

@@ -77,10 +77,11 @@ class LegDriver {
 
 /// The set tension of a rover that drives forwards with the tether this far aside of its arm [N].
 double TensionAside(const TetherOptions& options, double aside_rad);
-/// Reels slack in up to the driving tension.
-MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
-/// Holds the tether, and gives way before a rover that rolls off a rock pulls the station along.
-MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options);
+/// Reels slack in up to this tension.
+MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options, double tension_n);
+/// Holds the tether with it, and gives way before a rover that rolls off a rock pulls the station
+/// along.
+MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options, double tension_n);
 
 /// Turns in place until turned_rad reaches amount_rad; returns whether it has. The spool gives way.
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,

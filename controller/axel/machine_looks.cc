@@ -4,6 +4,7 @@
 #include <string>
 
 #include "controller/axel/machine_impl.h"
+#include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
 
@@ -11,7 +12,8 @@ std::optional<Event> AxelMachine::Tighten(Commands* commands) {
   if (levelling_) return Level(0.0, commands);
   const TetherOptions& tether = options_.tether;
   StandStill(nominal_, options_.drive, InPhase(), commands);
-  CommandOf(commands, Motor::kSpool) = TautWinch(nominal_, tether);
+  CommandOf(commands, Motor::kSpool) =
+      TautWinch(nominal_, tether, TautTension(nominal_, options_, senses_));
   const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
   const bool waited = InPhase() >= options_.drive.stop_time + tether.taut_after;
   const bool taut = waited && still >= tether.taut_after;
@@ -31,7 +33,8 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
   const Moment& freed = levelling_ ? *levelling_ : *entered_;
   if (std::abs(senses_.rolled_m() - freed.rolled_m) > options_.arm.level_roll_m) return done;
   SetWheels(MotorMode::kFree, commands);
-  CommandOf(commands, Motor::kSpool) = HoldingWinch(nominal_, options_.tether);
+  CommandOf(commands, Motor::kSpool) =
+      HoldingWinch(nominal_, options_.tether, TautTension(nominal_, options_, senses_));
   arm_.Level(senses_, target_pitch_rad);
   const bool level =
       std::abs(senses_.pitch_rad() - target_pitch_rad) <= 2.0 * options_.arm.dead_band_rad;
@@ -42,8 +45,9 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
   const bool stopped = InPhase() >= options_.drive.stop_time;
-  CommandOf(commands, Motor::kSpool) =
-      stopped ? HoldingWinch(nominal_, options_.tether) : TautWinch(nominal_, options_.tether);
+  const double taut_n = TautTension(nominal_, options_, senses_);
+  CommandOf(commands, Motor::kSpool) = stopped ? HoldingWinch(nominal_, options_.tether, taut_n)
+                                               : TautWinch(nominal_, options_.tether, taut_n);
   const std::optional<LocateOutput> seen = stop_.Step(sensed, senses_, Located(), commands);
   if (stop_.unanswered()) return GoBlind("cameras do not answer");
   return seen ? Judge(*seen) : std::nullopt;

@@ -1,4 +1,4 @@
-// The end of a docking: reels the tip in, finds out by a picture or by a push
+// The end of a docking: reels the tip in, finds out by an image or by a push
 // whether it is seated, and wiggles an arm that stopped short.
 #pragma once
 
@@ -19,29 +19,29 @@ double DepthBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad
 /// alone.
 double AskewBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad);
 
-/// What a picture at the rover's stop shows.
+/// What an image at the rover's stop shows.
 struct TipSeen {
   double depth_m = 0.0;
   double askew_rad = 0.0;
 };
 /// What the rover knows at its stop.
 struct SeatKnowledge {
-  double depth_by_drum_m = 0.0;                // since the last picture before the mouth
-  std::optional<TipSeen> by_picture{};         // none: no picture, or the board is not found in it
+  double depth_by_drum_m = 0.0;                // since the last image before the mouth
+  std::optional<TipSeen> by_image{};           // none: no image, or the board is not found in it
   std::optional<double> taken_up_by_push_m{};  // while it was pushed to and fro; none: not pushed
 };
 enum class SeatRuling {
   kSeated,
   kShort,     // not seated
   kAskew,     // on the floor, but the arm leans by more than its play
-  kUnproven,  // without a picture: push first
+  kUnproven,  // without an image: push first
 };
-/// Whether the tip is on the socket's floor. A picture decides alone, as it is right to millimetres
+/// Whether the tip is on the socket's floor. An image decides alone, as it is right to millimetres
 /// there: deep enough, and the arm nearly straight. Without one the drum's count must be deep
 /// enough, and a push to each side must not let the tether in any further.
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options);
 
-/// Turns the braked rover by a lean that its picture showed, so that the arm is in the middle of
+/// Turns the braked rover by a lean that its image showed, so that the arm is in the middle of
 /// its play and not bent against a side.
 class Straighten {
  public:

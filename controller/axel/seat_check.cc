@@ -36,7 +36,7 @@ bool SeatCheck::Step(const SensorFrame& sensed, Tick in_phase, const Locator& lo
   took_image_ = took_image_ || TookImage(sensed, locate, judge, senses, commands);
   const bool waited = senses->now() - braked_->since >= options_.mate.confirm_time;
   if (!took_image_ || !waited) return false;
-  if (!tip_) return true;
+  if (!tip_ || tip_->depth_m < nominal_.seat_depth_m - options_.mate.seat_margin_m) return true;
   if (!straighten_) straighten_.emplace(tip_->askew_rad);
   if (!straighten_->Step(nominal_, *senses, options_.mate, commands)) return false;
   if (!TautAgain(*senses, commands)) return false;

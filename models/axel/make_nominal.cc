@@ -4,6 +4,23 @@
 #include "models/parts/gravity.h"
 
 namespace dockyard::axel {
+namespace {
+
+Eigen::Vector2d MiddleOfSoles(const StationModel& station) {
+  Eigen::Vector2d middle(0.0, 0.0);
+  for (const FootModel& foot : station.feet) middle += foot.p_SF.head<2>();
+  return middle / static_cast<double>(station.feet.size());
+}
+
+double SpreadOfSoles(const StationModel& station) {
+  double sum_m = 0.0;
+  for (const FootModel& foot : station.feet) {
+    sum_m += (foot.p_SF.head<2>() - MiddleOfSoles(station)).norm();
+  }
+  return sum_m / static_cast<double>(station.feet.size());
+}
+
+}  // namespace
 
 Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad) {
   Nominal nominal;
@@ -26,6 +43,8 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.spool_friction_n = spool.gear_friction_nm / rover.tether.drum_radius_m;
   nominal.station_weight_n = station.module.mass_kg * kEarthGravity_m_s2;
   nominal.station_friction = station.foot_friction;
+  nominal.station_back_m = -MiddleOfSoles(station).x();
+  nominal.station_spread_m = SpreadOfSoles(station);
   nominal.mouth_height_m = station.mouth_height_m;
   nominal.anchor_depth_m = station.anchor_depth_m;
   nominal.throat_depth_m = station.cone.funnel_length_m;

@@ -79,6 +79,10 @@ void VisitMembers(N& n, const Visit& visit) {
     visit("station_weight_n", n.station_weight_n);
     visit("station_friction", n.station_friction);
   }
+  if (visit.Has("station_back_m", true)) {  // as these
+    visit("station_back_m", n.station_back_m);
+    visit("station_spread_m", n.station_spread_m);
+  }
   visit("throat_depth_m", n.throat_depth_m);
   visit("seat_depth_m", n.seat_depth_m);
   visit("mating_depth_m", n.mating_depth_m);

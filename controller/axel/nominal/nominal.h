@@ -33,12 +33,14 @@ struct Nominal {
   double spool_friction_n = 0.0;
   double station_weight_n = 0.0;  // m g
   double station_friction = 0.0;  // of its soles on the ground
-  double mouth_height_m = 0.0;    // centre of the cone's mouth above the ground
-  double anchor_depth_m = 0.0;    // tether anchor behind the mouth plane, along the axis
-  double throat_depth_m = 0.0;    // of the cone's throat behind the mouth plane
-  double seat_depth_m = 0.0;      // of the socket's floor, on which the tip is seated
-  double mating_depth_m = 0.25;   // how far to reel the tip in (Tsai et al., II)
-  RockMap rock_map{};             // of a survey; none by default
+  // The middle of its soles behind the mouth, and how far they are from it, in the mean.
+  double station_back_m = 0.0, station_spread_m = 0.0;
+  double mouth_height_m = 0.0;   // centre of the cone's mouth above the ground
+  double anchor_depth_m = 0.0;   // tether anchor behind the mouth plane, along the axis
+  double throat_depth_m = 0.0;   // of the cone's throat behind the mouth plane
+  double seat_depth_m = 0.0;     // of the socket's floor, on which the tip is seated
+  double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
+  RockMap rock_map{};            // of a survey; none by default
   // The mission: the rover starts seated, and first goes this far out by its axle. 0: it starts
   // outside, and only docks.
   double excursion_m = 0.0;

@@ -52,6 +52,8 @@ Nominal TestNominal() {
   nominal.spool_friction_n = 8.0;
   nominal.station_weight_n = 343.0;
   nominal.station_friction = 0.4;
+  nominal.station_back_m = 0.40;
+  nominal.station_spread_m = 0.354;
   nominal.throat_depth_m = 0.12;
   nominal.seat_depth_m = 0.23;
   return nominal;

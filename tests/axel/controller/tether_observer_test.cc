@@ -117,9 +117,47 @@ TEST_F(Observed, WheelsDigWhereTheDrumTakesNothingUp) { EXPECT_TRUE(DigsAfter(0.
 TEST(SureHold, IsTheLeastThatTheTolerancesAllow) {
   const Nominal nominal = TestNominal();
   const HoldOptions options{};
-  EXPECT_NEAR(SureHold(nominal, options, 0.0), 0.95 * 343.0 * 0.32, 1e-9);
-  EXPECT_NEAR(SureHold(nominal, options, Radians(5.0)), 75.5, 0.5);
-  EXPECT_EQ(SureHold(nominal, options, Radians(20.0)), 0.0);
+  EXPECT_NEAR(SureHold(nominal, options, 0.0, 0.0), 0.95 * 343.0 * 0.32, 1e-9);
+  EXPECT_NEAR(SureHold(nominal, options, Radians(5.0), 0.0), 75.5, 0.5);
+  EXPECT_EQ(SureHold(nominal, options, Radians(20.0), 0.0), 0.0);
+}
+
+// By the upper bound theorem: of all motions of four loaded soles, with force F0 together, the one
+// that a pull at the mouth begins takes the least force, what is rubbed away over the mouth's speed
+// along the pull.
+double LeastForce(double aside_rad) {
+  const double back_m = 0.40, half_m = 0.25;
+  double least = 1e9;
+  for (int i = -400; i <= 400; ++i) {
+    const double turn = 0.025 * i;
+    for (int j = 0; j < 720; ++j) {
+      const double vx = std::cos(j * kPi / 360.0), vy = std::sin(j * kPi / 360.0);
+      const double along = vx * std::cos(aside_rad) + (vy + turn * back_m) * std::sin(aside_rad);
+      if (along < 1e-6) continue;
+      double rubbed = 0.0;
+      for (const double x : {-half_m, half_m}) {
+        for (const double y : {-half_m, half_m}) {
+          rubbed += 0.25 * std::hypot(vx - turn * y, vy + turn * x);
+        }
+      }
+      least = std::min(least, rubbed / along);
+    }
+  }
+  return least;
+}
+
+TEST(SureHold, OfAPullFromAsideIsThatOfFourSoles) {
+  const Nominal nominal = TestNominal();
+  const HoldOptions options{};
+  const double straight_n = SureHold(nominal, options, 0.0, 0.0);
+  for (const double aside_deg : {0.0, 30.0, 45.0, 60.0, 90.0}) {
+    const double aside_rad = Radians(aside_deg);
+    EXPECT_NEAR(SureHold(nominal, options, 0.0, aside_rad) / straight_n, LeastForce(aside_rad),
+                0.06 * LeastForce(aside_rad))
+        << aside_deg;
+    EXPECT_LT(SureHold(nominal, options, Radians(5.0), aside_rad),
+              SureHold(nominal, options, 0.0, aside_rad));
+  }
 }
 
 }  // namespace
