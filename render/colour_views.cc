@@ -127,6 +127,22 @@ const ColourViews::Lens& ColourViews::LensOf(const ColourView& view) {
   return lenses_.back();
 }
 
+void ColourViews::AddStray(ScenePainter& painter, const Scene& scene, const ColourTable& colours,
+                           const Lens& lens, const Pose3& X_WC,
+                           std::array<RadianceImage, 3>& part) {
+  const StrayLight& stray = scene.light.stray;
+  SunInLens sun = sun_sight_.Of(painter, scene, X_WC);
+  if (sun.share > 0.0) {
+    sun.share *= ShareThroughHole(lens.view.hole, sun.to_sun_C.head<2>() / sun.to_sun_C.z());
+  }
+  const SunStray of_sun = StrayOfSun(stray, lens.grid, sun);
+  const Rgb white = LightBy(colours, scene, X_WC).sky.sun;
+  const float irradiance[3] = {white.r, white.g, white.b};
+  for (std::size_t c = 0; c < part.size(); ++c) {
+    AddStrayLight(stray, lens.view.camera.focal_px().mean(), of_sun, irradiance[c], part[c]);
+  }
+}
+
 ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& texture,
                                    const Scene& scene, const ColourTable& colours,
                                    const ColourView& view, const std::vector<Pose3>& X_WC) {
@@ -172,6 +188,16 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
     ComposeColour(lens.grid, lens.spans, wide_, close, close_rays, lit, colours, X, light.part);
   }
   const float per = 1.0f / static_cast<float>(X_WC.size());
+  if (!scene.light.stray.none()) {
+    for (RadianceImage& channel : light.part) {
+      for (float& value : channel.values) value *= per;
+    }
+    AddStray(painter, scene, colours, lens, middle, light.part);
+    for (RadianceImage& channel : light.part) {
+      for (std::size_t i = 0; i < lens.shares.size(); ++i) channel.values[i] *= lens.shares[i];
+    }
+    return light;
+  }
   for (RadianceImage& channel : light.part) {
     for (std::size_t i = 0; i < lens.shares.size(); ++i) channel.values[i] *= per * lens.shares[i];
   }

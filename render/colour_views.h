@@ -7,6 +7,7 @@
 #include "render/colour_view.h"
 #include "render/compose.h"
 #include "render/scene_painter.h"
+#include "render/sun_in_lens.h"
 
 namespace dockyard {
 
@@ -30,10 +31,14 @@ class ColourViews {
   };
   static Lens MakeLens(const ColourView& view);
   const Lens& LensOf(const ColourView& view);
+  // Adds the stray light of the lens, of which the hole shades the sun.
+  void AddStray(ScenePainter& painter, const Scene& scene, const ColourTable& colours,
+                const Lens& lens, const Pose3& X_WC, std::array<RadianceImage, 3>& part);
 
   std::vector<Lens> lenses_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   FlatView wide_, close_;
+  SunSight sun_sight_;
 };
 
 }  // namespace dockyard

@@ -1,6 +1,7 @@
 // The lens's effects on an ideal view before its light reaches the sensor: defocus, falloff, blur.
 #pragma once
 
+#include "render/gauss_blur.h"
 #include "render/stereo_renderer.h"
 
 namespace dockyard {
@@ -11,9 +12,6 @@ double BlurCircle_px(const Focus& focus, double z_m);
 
 /// Checks that the options are a lens's.
 void CheckOptics(const SensorOptions& sensor);
-
-/// Gaussian blur; the border's values go on beyond it. 0: none.
-void Blur(double sigma_px, RadianceImage& image);
 
 /// Share of the light that the lens lets through to each pixel.
 RadianceImage FalloffOf(const Camera& camera, double exponent);

@@ -92,6 +92,16 @@ struct TetherView {
   int material = 0;  // see SceneObject
 };
 
+/// Stray light of a lens, of scattering and of reflections between its surfaces
+/// (render/stray_light.h); none by default.
+struct StrayLight {
+  double veil = 0.0;               // share of the light that is scattered
+  double core_rad = Radians(0.5);  // width of the scattered light's core, see stray_light.h
+  double ghosts = 0.0;             // share of the sun's light in ghosts
+
+  bool none() const { return veil == 0.0 && ghosts == 0.0; }
+};
+
 struct SunAndSky {
   Eigen::Vector3d to_sun_W{0, 0, 1};  // unit
   double sun_irradiance = 1.0;        // on a surface facing it
@@ -101,6 +111,7 @@ struct SunAndSky {
   // Colour of either as linear red, green, blue; Luminance of each is 1, so that it does not change
   // grey images.
   Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
+  StrayLight stray{};  // of every lens in this light
 };
 
 /// A lamp without an extent. It throws no shadows: those of a lamp at the camera would be hidden

@@ -6,6 +6,7 @@
 
 #include "controller/base/check.h"
 #include "render/scene_painter.h"
+#include "render/stray_light.h"
 
 namespace dockyard {
 namespace {
@@ -25,6 +26,7 @@ void CheckLight(const SunAndSky& light) {
   DOCKYARD_CHECK(light.ground_bounce_albedo >= 0.0);
   DOCKYARD_CHECK(light.sun_rgb.minCoeff() >= 0.0 && light.sky_rgb.minCoeff() >= 0.0);
   DOCKYARD_CHECK(light.sun_angular_diameter_rad >= 0.0 && light.sun_angular_diameter_rad < 0.2);
+  CheckStray(light.stray);
 }
 
 void CheckObject(const SceneObject& object) {

@@ -12,6 +12,9 @@
 #include "render/kept_lenses.h"
 #include "render/level_ground.h"
 #include "render/scene_painter.h"
+#include "render/shading.h"
+#include "render/stray_light.h"
+#include "render/sun_in_lens.h"
 #include "render/view_rects.h"
 
 namespace dockyard {
@@ -42,7 +45,8 @@ class StereoRenderer::Impl {
   explicit Impl(GlBackend backend)
       : context_(CreateContext(backend)),
         painter_(std::make_unique<ScenePainter>(context_->functions())),
-        colour_(std::make_unique<ColourViews>()) {}
+        colour_(std::make_unique<ColourViews>()),
+        sun_sight_(std::make_unique<SunSight>()) {}
   ~Impl() {
     // The objects die before the context, with it current; a refusal leaves them to the context.
     try {
@@ -52,6 +56,7 @@ class StereoRenderer::Impl {
     }
     painter_.reset();
     colour_.reset();
+    sun_sight_.reset();
     wide_target_.reset();
     close_target_.reset();
   }
@@ -89,7 +94,7 @@ class StereoRenderer::Impl {
                                         const Eigen::Vector3d& p_W,
                                         const std::vector<Channel>& channels) {
     Prepare(scene, {Eigen::Matrix3d::Identity(), p_W});
-    return RenderView(scene, camera, X_WC, channels, false);
+    return RenderIdeal(scene, camera, X_WC, channels, false);
   }
 
   ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
@@ -114,9 +119,24 @@ class StereoRenderer::Impl {
     texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
   }
 
+  /// With the stray light of the lens.
   std::vector<RadianceImage> RenderView(const Scene& scene, const Camera& camera, const Pose3& X_WC,
                                         const std::vector<Channel>& channels, bool with_depth,
                                         bool level = false) {
+    auto images = RenderIdeal(scene, camera, X_WC, channels, with_depth, level);
+    const StrayLight& stray = scene.light.stray;
+    if (stray.none()) return images;
+    const SunInLens sun = sun_sight_->Of(*painter_, scene, X_WC);
+    const SunStray of_sun = StrayOfSun(stray, lenses_.Of(camera, scene, X_WC).grid, sun);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const Reflected white = Reflect(scene.light, Eigen::Vector3d::Ones(), channels[i]);
+      AddStrayLight(stray, camera.focal_px().mean(), of_sun, white.sun, images[i]);
+    }
+    return images;
+  }
+  std::vector<RadianceImage> RenderIdeal(const Scene& scene, const Camera& camera,
+                                         const Pose3& X_WC, const std::vector<Channel>& channels,
+                                         bool with_depth, bool level = false) {
     const KeptLens& lens = lenses_.Of(camera, scene, X_WC);
     SizeView(camera, lens.rect, kWideDensity, kMostFlatPixels, wide_);
     painter_->PaintInto(wide_target_, X_WC, wide_);
@@ -139,6 +159,7 @@ class StereoRenderer::Impl {
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<ScenePainter> painter_;
   std::unique_ptr<ColourViews> colour_;
+  std::unique_ptr<SunSight> sun_sight_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   GroundTexture texture_;
   KeptLenses lenses_;
