@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -111,6 +112,8 @@ struct SunAndSky {
   // Colour of either as linear red, green, blue; Luminance of each is 1, so that it does not change
   // grey images.
   Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
+  // Optical depth of the air, for light that follows the sun's height; NaN: it does not.
+  double opacity = std::numeric_limits<double>::quiet_NaN();
   StrayLight stray{};  // of every lens in this light
 };
 

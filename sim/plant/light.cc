@@ -4,6 +4,7 @@
 
 #include "render/blackbody.h"
 #include "sim/base/random.h"
+#include "sim/plant/opacity.h"
 #include "sim/scenario/sun_path.h"
 
 namespace dockyard {
@@ -150,6 +151,19 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_LB, const Gro
   return lit;
 }
 
+/// What the file asks of the light whatever its kind. The sun's direction is in a level frame.
+void FollowFile(const SunModel& sun, SunAndSky& light) {
+  if (sun.temperature_k > 0.0) light.sun_rgb = BlackbodyRgb(sun.temperature_k);
+  if (sun.sky_temperature_k > 0.0) light.sky_rgb = BlackbodyRgb(sun.sky_temperature_k);
+  light.stray = {
+      .veil = sun.stray.veil, .core_rad = sun.stray.core_rad, .ghosts = sun.stray.ghosts};
+  light.opacity = sun.opacity;
+  if (std::isnan(sun.opacity)) return;
+  const AirLight air = LightThroughAir(sun.opacity, std::asin(light.to_sun_W.z()));
+  light.sun_irradiance = kOutsideIrradiance * air.sun;
+  light.sky_irradiance = kOutsideIrradiance * air.sky;
+}
+
 /// The frame D turned upright about its origin, heading kept.
 Pose3 TurnedUpright(const Pose3& X_WD) {
   return {RotZ(std::atan2(X_WD.R(1, 0), X_WD.R(0, 0))), X_WD.p};
@@ -187,8 +201,7 @@ Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_D
       lit = Room();
       break;
   }
-  if (sun.temperature_k > 0.0) lit.sun_and_sky.sun_rgb = BlackbodyRgb(sun.temperature_k);
-  if (sun.sky_temperature_k > 0.0) lit.sun_and_sky.sky_rgb = BlackbodyRgb(sun.sky_temperature_k);
+  FollowFile(sun, lit.sun_and_sky);
   // Made in the level dock frame, placed in the world.
   if (sun.moving) lit.to_pole_W = X_WL.R * NorthPole(sun, lit.sun_and_sky.to_sun_W);
   lit.sun_and_sky.to_sun_W = X_WL.R * lit.sun_and_sky.to_sun_W;

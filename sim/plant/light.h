@@ -36,7 +36,8 @@ void AddSurroundings(const Lighting& lighting, std::vector<SceneObject>& objects
 ///               +x. The sun's elevation is above the level, on a slope too.
 /// @param p_DB   the board's centre in it [m]
 /// @param seed   of the run; sun's place and the occluders' detail vary with it
-/// @param sun    the scenario's values; its azimuth counts from +x of D, counter-clockwise
+/// @param sun    the scenario's values; its azimuth counts from +x of D, counter-clockwise. With an
+///               opacity the irradiances follow from it and the sun's height, not from the kind
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB, const Seed& seed,
                       const SunModel& sun = {});
 

@@ -18,6 +18,16 @@ void VisitEye(Keys& keys, EyeFaults& eye) {
               eye.dust_scatter, NonNegative(1.0));
 }
 
+// Sources of the ranges: docs/reference/images.md.
+void VisitStray(Keys& keys, StrayModel& stray) {
+  keys.Number({"veil", "", "share of the light that every lens scatters over the image"},
+              stray.veil, NonNegative(0.2));
+  keys.Degrees({"core_deg", "deg", "width of the scattered light's bright core"}, stray.core_rad,
+               Between(0.1, 4.0));
+  keys.Number({"ghosts", "", "share of the sun's light that comes as ghosts, discs of reflections"},
+              stray.ghosts, NonNegative(0.01));
+}
+
 void VisitFaults(Keys& keys, CameraFaults& faults) {
   keys.Number({"delay_s", "s", "from a picture's exposure to its arrival"}, faults.delay_s,
               NonNegative(10.0));
@@ -41,6 +51,7 @@ void VisitCamera(Keys& keys, Scenario& s) {
   keys.Integer({"height_px", "px", "image height, given together with width_px", kUnset},
                s.image_height, 64, 4096);
   keys.Bool({"colour", "", "`view` writes colour images beside the grey ones"}, s.colour);
+  keys.Mapping({"stray", "", ""}, [&](Keys& in) { VisitStray(in, s.sun.stray); });
   VisitFaults(keys, s.camera_faults);
 }
 

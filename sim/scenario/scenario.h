@@ -20,12 +20,23 @@ enum class Light { kEven, kSpeckled, kHardShadow, kRoom };
 /// even | speckled | hard_shadow | room, as in the files.
 const char* LightName(Light light);
 
+/// Stray light of the lenses of all cameras, under `camera.stray`. None by default. Sources:
+/// docs/reference/images.md.
+struct StrayModel {
+  double veil = 0.0;               // share of the light that is scattered
+  double core_rad = Radians(0.5);  // of the scattered light; assumed, 0.2-2 deg
+  double ghosts = 0.0;             // share of the sun's light in ghosts
+};
+
 /// Overrides of the light's defaults. NaN (angles) or 0 (temperatures) keeps the default: random
 /// angles, white light.
 struct SunModel {
   double azimuth_rad = std::numeric_limits<double>::quiet_NaN();    // from the way the target faces
   double elevation_rad = std::numeric_limits<double>::quiet_NaN();  // above the level
   double temperature_k = 0.0, sky_temperature_k = 0.0;
+  // Optical depth of the air, by which the light follows the sun's height; NaN: it does not.
+  double opacity = std::numeric_limits<double>::quiet_NaN();
+  StrayModel stray{};
   // Whether it moves during a run (sun_path.h), and where on the Earth: the Mars Yard at JPL,
   // 34.20 deg N.
   bool moving = false;

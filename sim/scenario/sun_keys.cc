@@ -39,6 +39,12 @@ void VisitSun(Keys& keys, Light light, SunModel& sun) {
               Between(1667.0, 25000.0));
   keys.Number({"sky_temperature_k", "K", "colour of the sky; none: white", kUnset},
               sun.sky_temperature_k, Between(1667.0, 25000.0));
+  keys.Number({"opacity", "",
+               "optical depth of the air, by which the light follows the sun's height; none: the "
+               "kind of light states it",
+               kUnset},
+              sun.opacity, Between(0.0, 10.0));
+  keys.Check("opacity", std::isnan(sun.opacity) || light != Light::kRoom, "no opacity in a room");
   VisitPath(keys, light, sun);
 }
 

@@ -84,5 +84,16 @@ TEST(SunMotion, ASunThatHasSetGivesNoLight) {
   EXPECT_EQ(night.sky_irradiance, lighting.sun_and_sky.sky_irradiance);
 }
 
+TEST(SunMotion, KeepsTheStrayLightOfTheScenario) {
+  SunModel sun = Placed(true);
+  EXPECT_TRUE(LightAt(LightingOf(true), 600.0).stray.none());
+  sun.stray = {.veil = 0.03, .core_rad = 0.02, .ghosts = 4e-4};
+  const Lighting lighting = MakeLighting(Light::kEven, kX_WD, {0.0, 0.0, 0.5}, 7, sun);
+  const StrayLight stray = LightAt(lighting, 600.0).stray;
+  EXPECT_EQ(stray.veil, 0.03);
+  EXPECT_EQ(stray.core_rad, 0.02);
+  EXPECT_EQ(stray.ghosts, 4e-4);
+}
+
 }  // namespace
 }  // namespace dockyard

@@ -21,6 +21,9 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"camera.width_px", "800"},
       {"camera.height_px", "600"},
       {"camera.colour", "true"},
+      {"camera.stray.veil", "0.03"},
+      {"camera.stray.core_deg", "0.7"},
+      {"camera.stray.ghosts", "0.0003"},
       {"camera.delay_s", "0.35"},
       {"camera.lost", "0.2"},
       {"camera.pupil_m", "0.001"},
@@ -46,6 +49,7 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"sun.elevation_deg", "89.99999"},
       {"sun.temperature_k", "4500"},
       {"sun.sky_temperature_k", "12000.5"},
+      {"sun.opacity", "0.45"},
       {"sun.moving", "true"},
       {"sun.latitude_deg", "12.3"},
       {"sun.north_deg", "-33.333333333333336"},
@@ -118,10 +122,10 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   for (const KeyRow& row : ScenarioRows()) known.push_back(row.key);
   for (const auto& [key, value] : OtherValues()) here.push_back(key);
   here.insert(here.begin() + 1, "system");
-  here.insert(here.begin() + 25, "controller.command");
-  here.insert(here.begin() + 26, "controller.folder");
-  here.insert(here.begin() + 27, "controller.files");
-  here.insert(here.begin() + 28, "controller.seed");
+  here.insert(here.begin() + 28, "controller.command");
+  here.insert(here.begin() + 29, "controller.folder");
+  here.insert(here.begin() + 30, "controller.files");
+  here.insert(here.begin() + 31, "controller.seed");
   here.back() = "<system>";
   EXPECT_EQ(here, known);
 }

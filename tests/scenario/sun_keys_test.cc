@@ -68,6 +68,25 @@ TEST_F(SunKeys, ASunStaysUnlessItIsToMove) {
   EXPECT_TRUE(DifferingKeys(placed, ReadScenario(WriteScenario(placed), ToySystems())).empty());
 }
 
+TEST_F(SunKeys, OpacityAndStrayLightAreOffUnlessGiven) {
+  const Scenario plain = Loaded("");
+  EXPECT_TRUE(std::isnan(plain.sun.opacity));
+  EXPECT_EQ(plain.sun.stray.veil, 0.0);
+  EXPECT_EQ(plain.sun.stray.ghosts, 0.0);
+  const Scenario given =
+      Loaded("sun: {opacity: 0}\ncamera: {stray: {veil: 0.02, core_deg: 1, ghosts: 0.0003}}");
+  EXPECT_EQ(given.sun.opacity, 0.0);
+  EXPECT_EQ(given.sun.stray.veil, 0.02);
+  EXPECT_EQ(given.sun.stray.core_rad, Radians(1.0));
+  EXPECT_EQ(given.sun.stray.ghosts, 0.0003);
+  EXPECT_TRUE(DifferingKeys(given, ReadScenario(WriteScenario(given), ToySystems())).empty());
+  EXPECT_EQ(Refused("sun: {opacity: -1}"),
+            "scenarios/s.yaml:10:16: sun.opacity: expected a number >= 0, found '-1'");
+  EXPECT_EQ(Refused("camera: {stray: {veil: 0.5}}"),
+            "scenarios/s.yaml:10:24: camera.stray.veil: expected a number >= 0 and <= 0.2, found "
+            "'0.5'");
+}
+
 TEST_F(SunKeys, BadPathOfTheSunIsRefused) {
   using ::testing::HasSubstr;
   EXPECT_THAT(Refused("sun: {moving: true, north_deg: 10, azimuth_deg: 5}"),
