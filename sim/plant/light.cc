@@ -5,6 +5,7 @@
 #include "render/blackbody.h"
 #include "sim/base/random.h"
 #include "sim/plant/opacity.h"
+#include "sim/scenario/sun_date.h"
 #include "sim/scenario/sun_path.h"
 
 namespace dockyard {
@@ -177,7 +178,8 @@ void AddSurroundings(const Lighting& lighting, std::vector<SceneObject>& objects
 }
 
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB, const Seed& seed,
-                      const SunModel& sun) {
+                      const SunModel& asked) {
+  const SunModel sun = PlacedByDate(asked);
   RandomStream random(StreamKey(seed, "light"));
   // On level ground D stands upright as it is, to the bit.
   const bool level = X_WD.R(2, 0) == 0.0 && X_WD.R(2, 1) == 0.0;

@@ -37,6 +37,9 @@ struct SunModel {
   // Optical depth of the air, by which the light follows the sun's height; NaN: it does not.
   double opacity = std::numeric_limits<double>::quiet_NaN();
   StrayModel stray{};
+  // Instead of the two angles (sun_date.h): month and day, and the local solar time.
+  std::string date{};
+  double hour = std::numeric_limits<double>::quiet_NaN();
   // Whether it moves during a run (sun_path.h), and where on the Earth: the Mars Yard at JPL,
   // 34.20 deg N.
   bool moving = false;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/scenario/sun_date.h"
 #include "sim/scenario/sun_path.h"
 
 namespace dockyard {
@@ -82,6 +83,20 @@ TEST(SunMotion, ASunThatHasSetGivesNoLight) {
   EXPECT_EQ(night.sun_irradiance, 0.0);
   EXPECT_NEAR(night.to_sun_W.norm(), 1.0, 1e-9);
   EXPECT_EQ(night.sky_irradiance, lighting.sun_and_sky.sky_irradiance);
+}
+
+TEST(SunMotion, BeginsWhereDateAndHourPlaceTheSun) {
+  SunModel sun;
+  sun.date = "04-10";
+  sun.hour = 15.5;
+  sun.north_rad = Radians(50.0);
+  const SunModel placed = PlacedByDate(sun);
+  const Eigen::Vector3d to_sun_W =
+      MakeLighting(Light::kEven, kX_WD, {0.0, 0.0, 0.5}, 7, sun).sun_and_sky.to_sun_W;
+  EXPECT_NEAR(std::asin(to_sun_W.z()), placed.elevation_rad, 1e-9);
+  const double heading_rad = std::atan2(kX_WD.R(1, 0), kX_WD.R(0, 0));
+  const double azimuth_rad = std::atan2(to_sun_W.y(), to_sun_W.x()) - heading_rad;
+  EXPECT_NEAR(std::remainder(azimuth_rad - placed.azimuth_rad, 2.0 * kPi), 0.0, 1e-9);
 }
 
 TEST(SunMotion, KeepsTheStrayLightOfTheScenario) {

@@ -1,6 +1,8 @@
 // Written scenarios read back to the same, key by key.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "scenario/toy_system.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/load_scenario.h"
@@ -126,6 +128,9 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   here.insert(here.begin() + 29, "controller.folder");
   here.insert(here.begin() + 30, "controller.files");
   here.insert(here.begin() + 31, "controller.seed");
+  // Instead of the sun's angles: SunKeys.
+  const auto yard = std::find(here.begin(), here.end(), "yard.length_m");
+  here.insert(here.insert(yard, "sun.hour"), "sun.date");
   here.back() = "<system>";
   EXPECT_EQ(here, known);
 }

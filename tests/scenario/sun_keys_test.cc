@@ -87,6 +87,29 @@ TEST_F(SunKeys, OpacityAndStrayLightAreOffUnlessGiven) {
             "'0.5'");
 }
 
+TEST_F(SunKeys, ADateAndAnHourReplaceTheAngles) {
+  const Scenario s = Loaded("sun: {date: 06-21, hour: 9.5, latitude_deg: 34.2, north_deg: 45}");
+  EXPECT_EQ(s.sun.date, "06-21");
+  EXPECT_EQ(s.sun.hour, 9.5);
+  EXPECT_TRUE(DifferingKeys(s, ReadScenario(WriteScenario(s), ToySystems())).empty());
+}
+
+TEST_F(SunKeys, BadDateIsRefused) {
+  using ::testing::HasSubstr;
+  EXPECT_EQ(Refused("sun: {date: 06-31, hour: 9, north_deg: 0}"),
+            "scenarios/s.yaml:10:13: sun.date: expected a month and a day, as '06-21', found "
+            "'06-31'");
+  EXPECT_THAT(Refused("sun: {date: 06-21, north_deg: 0}"), HasSubstr("expected hour next to it"));
+  EXPECT_THAT(Refused("sun: {hour: 9, north_deg: 0}"), HasSubstr("expected date next to it"));
+  EXPECT_THAT(Refused("sun: {date: 06-21, hour: 9}"), HasSubstr("expected north_deg next to it"));
+  EXPECT_THAT(Refused("sun: {date: 06-21, hour: 9, north_deg: 0, azimuth_deg: 10}"),
+              HasSubstr("sun.azimuth_deg: expected either azimuth_deg and elevation_deg or date"));
+  EXPECT_THAT(Refused("sun: {date: 06-21, hour: 9, north_deg: 0, elevation_deg: 10}"),
+              HasSubstr("sun.elevation_deg: expected either"));
+  EXPECT_THAT(Refused("sun: {date: 12-21, hour: 6, north_deg: 0}"),
+              HasSubstr("an hour at which the sun is at least 2 deg high, found a sun -12.9 deg"));
+}
+
 TEST_F(SunKeys, BadPathOfTheSunIsRefused) {
   using ::testing::HasSubstr;
   EXPECT_THAT(Refused("sun: {moving: true, north_deg: 10, azimuth_deg: 5}"),
