@@ -103,6 +103,36 @@ void ReadVary(const YamlReader& in, Campaign& campaign) {
   }
 }
 
+/// The factor with the column's other cells as values of their own.
+void AddOtherCells(const RunTable& table, std::size_t column, Factor& factor) {
+  for (const RunTable::Row& row : table.rows) {
+    const std::string text = CellText(row.cells[column]);
+    if (std::find(factor.labels.begin(), factor.labels.end(), text) != factor.labels.end())
+      continue;
+    factor.labels.push_back(text);
+    factor.values.push_back(row.cells[column]);
+  }
+}
+
+/// A table's column of a discrete draw may hold the draw's names, as --dry-run prints them. Files
+/// are then those of the draw, wherever the table lies.
+void NameDrawnValues(const YamlReader& in, Campaign& campaign) {
+  if (!in.Has("draw")) return;
+  const YamlNode& draw = in.Child("draw");
+  for (std::size_t i = 0; i < draw.keys.size(); ++i) {
+    const YamlNode::Key& key = draw.keys[i];
+    const auto column = campaign.table.Find(key.name);
+    const auto same = [&](const Factor& factor) { return factor.key.name == key.name; };
+    if (!column || draw.items[i].Find("discrete") == nullptr || IsTag(campaign, key.name) ||
+        std::any_of(campaign.named.begin(), campaign.named.end(), same)) {
+      continue;
+    }
+    Factor values = ReadDispersion(key, draw.items[i]).values;
+    AddOtherCells(campaign.table, *column, values);
+    campaign.named.push_back(std::move(values));
+  }
+}
+
 void ReadArms(const YamlReader& in, Campaign& campaign) {
   if (!in.Has("arms")) return;
   const YamlNode& arms = in.Child("arms");
@@ -259,6 +289,7 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   ReadArms(in, campaign);
   ReadVary(in, campaign);
   campaign.one_at_a_time = ReadFactors(in, "one_at_a_time");
+  NameDrawnValues(in, campaign);
   WriteSpreads(campaign, systems.known);
   campaign.dispersions = ReadDispersions(in);
   ReadDesign(in, campaign);

@@ -1,6 +1,8 @@
 // The words `assumed` and `tolerance` stand for what the model files say.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "sim/base/text.h"
 #include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
+#include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
 namespace {
@@ -129,6 +132,44 @@ TEST_F(SpreadWords, PlanIsATableThatDrawsNothingAgain) {
   for (const Dispersion& each : campaign.dispersions) {
     EXPECT_EQ(Values(again, each.key.name), Values(campaign, each.key.name)) << each.key.name;
   }
+}
+
+// The plan has the name that a run drew, and lies in another folder than the campaign.
+TEST_F(SpreadWords, PlanOfDrawnFilesIsATableOfTheSameRuns) {
+  for (const char* soils : {"{wet: ../models/sand.yaml, hard: ../models/gravel.yaml}",
+                            "[../models/sand.yaml, ../models/gravel.yaml]"}) {
+    const std::string keys = std::string("draw:\n  soil: {discrete: {values: ") + soils +
+                             "}}\n  as_built: tolerance\ndesign: {runs: 8}\n";
+    const Campaign campaign = Load(keys);
+    const std::string plan = folder_.Write("out/plans/plan.csv", PlanCsv(campaign, ToySystems()));
+    const Campaign again = Load(keys + "table: " + plan + "\n");
+    const std::string kept = CampaignYaml(WithAbsolutePaths(again, ToySystems()));
+    const std::vector<CampaignRun> runs = AllRuns(campaign), same = AllRuns(again),
+                                   third = AllRuns(LoadAndCheck(folder_.Write("kept.yaml", kept)));
+    ASSERT_EQ(same.size(), 8u);
+    ASSERT_EQ(third.size(), 8u);
+    std::set<std::string> files;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      EXPECT_EQ(same[i].scenario.seed, runs[i].scenario.seed);
+      EXPECT_EQ(same[i].labels, runs[i].labels);
+      EXPECT_THAT(DifferingKeys(same[i].scenario, runs[i].scenario), ElementsAre());
+      EXPECT_EQ(third[i].scenario.seed, runs[i].scenario.seed);
+      EXPECT_TRUE(
+          std::filesystem::equivalent(third[i].scenario.soil_file, runs[i].scenario.soil_file));
+      files.insert(runs[i].scenario.soil_file);
+    }
+    EXPECT_EQ(files.size(), 2u);
+  }
+}
+
+TEST_F(SpreadWords, CellThatIsNoNameOfTheDrawIsAValue) {
+  const std::string keys = "draw: {soil: {discrete: {values: {wet: ../models/sand.yaml}}}}\n";
+  folder_.Write("out/t.csv", "run,soil\n1,wet\n2,../models/gravel.yaml\n");
+  const std::vector<CampaignRun> runs = AllRuns(Load(keys + "table: ../out/t.csv\n"));
+  EXPECT_THAT(runs.at(0).scenario.soil_file, HasSubstr("sand.yaml"));
+  EXPECT_THAT(runs.at(1).scenario.soil_file, HasSubstr("gravel.yaml"));
+  folder_.Write("out/t.csv", "run,soil\n1,wet\n2,wett\n");
+  EXPECT_THAT(Message(keys + "table: ../out/t.csv\n"), HasSubstr("wett"));
 }
 
 TEST_F(SpreadWords, AllFilesOfACampaignMustAgree) {
