@@ -80,7 +80,6 @@ def body():
         mesh.cylinder("y", 0.035 if side > 0 else -0.115, 0.115 if side > 0 else -0.035, 0.09, 32,
                       (-0.14, 0.0, 0.0))  # spool's motor and batteries
         mesh.cylinder("y", 0.28 if side > 0 else -0.36, 0.36 if side > 0 else -0.28, 0.035, 24)
-        mesh.box((0.065, side * 0.175 - 0.012, 0.09), (0.09, side * 0.175 + 0.012, 0.20))  # posts
     return mesh
 
 
@@ -91,7 +90,6 @@ def body_coaxial():
     for side in (-1.0, 1.0):
         mesh.cylinder("y", 0.10 if side > 0 else -0.28, 0.28 if side > 0 else -0.10, 0.16, 40)
         mesh.cylinder("y", 0.28 if side > 0 else -0.36, 0.36 if side > 0 else -0.28, 0.035, 24)
-        mesh.box((0.065, side * 0.175 - 0.012, 0.13), (0.09, side * 0.175 + 0.012, 0.20))  # posts
     return mesh
 
 
@@ -100,6 +98,14 @@ def camera_heads():
     for side in (-1.0, 1.0):
         mesh.box((0.0475, side * 0.175 - 0.032, 0.198), (0.1125, side * 0.175 + 0.032, 0.242))
         mesh.cylinder("x", 0.1125, 0.1175, 0.020, 20, (0.0, side * 0.175, 0.22))
+    return mesh
+
+
+def camera_posts():
+    """Under the heads, from inside the housing: they follow the heads (models/axel/urdf_agreement.h)."""
+    mesh = Mesh()
+    for side in (-1.0, 1.0):
+        mesh.box((0.065, side * 0.175 - 0.012, 0.09), (0.09, side * 0.175 + 0.012, 0.20))
     return mesh
 
 
@@ -181,6 +187,7 @@ FILES = {
     "models/axel/meshes/body.obj": body,
     "models/axel/meshes/body_coaxial.obj": body_coaxial,
     "models/axel/meshes/camera_heads.obj": camera_heads,
+    "models/axel/meshes/camera_posts.obj": camera_posts,
     "models/axel/meshes/arm.obj": arm,
     "models/axel/meshes/wheel.obj": wheel,
     "models/axel/meshes/paddles.obj": paddles,

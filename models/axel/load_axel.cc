@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "models/axel/own_view.h"
 #include "models/axel/rover_changes.h"
 #include "models/axel/rover_links.h"
 #include "models/axel/urdf_agreement.h"
@@ -142,6 +143,30 @@ RoverModel ReadDrawn(const YamlNode& tree, const UrdfModel& urdf) {
   return rover;
 }
 
+/// The cameras that the URDF was drawn for.
+StereoFile ReadDrawnCameras(const YamlNode& tree) {
+  StereoFile cameras;
+  YamlNode alone;
+  alone.kind = YamlNode::Kind::kMapping;
+  alone.keys.push_back({"cameras", {}});
+  alone.items.push_back(*tree.Find("cameras"));
+  ReadKeys(alone, "", [&](Keys& keys) { VisitStereo(keys, "cameras", cameras); });
+  return cameras;
+}
+
+/// Cameras that have the rover itself before them would end as a run without a detection.
+void RequireView(const YamlReader& in, const RoverModel& rover) {
+  const std::string blinded = BlindedBy(rover);
+  if (blinded.empty()) return;
+  const YamlNode& cameras = in.Child("cameras");
+  const char* key = cameras.Find("forward_m") != nullptr ? "forward_m" : "file";
+  const YamlNode* node = cameras.Find(key);
+  throw ConfigError((node != nullptr ? node : &cameras)->place.Text() + ": cameras." + key +
+                    ": expected cameras with at most half of an image filled by the rover's own "
+                    "body, found " +
+                    blinded);
+}
+
 /// Numbers in which a rover may differ from what it was drawn for.
 void Differ(const RoverFile& file, RoverModel& rover) {
   for (const auto& [scale, wheel] : {std::pair(file.left_radius_scale, &rover.left_wheel_soil),
@@ -197,6 +222,8 @@ RoverModel ReadRoverKeys(const YamlNode& tree, const YamlNode& drawn_by, int ima
   const RoverModel drawn = ReadDrawn(drawn_by, urdf);
   rover.further = TakeFurtherLinks(in, urdf, file.joints);
   TakeLinks(in, file, drawn, rover);
+  FitCameraHeads(ReadDrawnCameras(drawn_by), file.cameras, rover.body);
+  RequireView(in, rover);
   CheckArm(urdf, rover);
   if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
       rover.arm_at_power_on_rad > rover.arm_upper_rad) {

@@ -18,8 +18,8 @@ void VisitRoverKeys(Keys& keys);
 /// The URDF must have the links body (its root), left_wheel, right_wheel and arm, and the joints
 /// left_wheel_joint, right_wheel_joint (continuous) and arm_joint (revolute, at the body's origin),
 /// all about +y. The scenario sets the images' size; 0: as in the cameras' file, else the default.
-/// `changes` are keys on top of the file's; the URDF's wheels and arm follow them. Throws
-/// ConfigError.
+/// `changes` are keys on top of the file's; the URDF's wheels, arm and camera heads follow them.
+/// Throws ConfigError, also for cameras that have the rover's own body before them.
 RoverModel LoadRover(const std::string& file, int image_width = 0, int image_height = 0,
                      const ModelChanges& changes = {}, MeshStore* meshes = nullptr);
 

@@ -4,6 +4,7 @@
 
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
+#include "models/axel/own_view.h"
 #include "models/parts/gravity.h"
 #include "models/read/config_error.h"
 #include "models/read/load_cameras.h"
@@ -61,6 +62,16 @@ void CheckTogether(const Scenario& scenario, const AxelKeys& keys, const ModelSe
                     NumberText(set.station.cone.throat_radius_m) + "'");
 }
 
+/// Of a pair that the scenario names in place of the robot's own.
+void RequireView(const Scenario& scenario, const RoverModel& rover) {
+  const std::string blinded = BlindedBy(rover);
+  if (blinded.empty()) return;
+  throw ConfigError(scenario.camera_place +
+                    ": expected cameras with at most half of an image filled by the rover's own "
+                    "body, found " +
+                    blinded);
+}
+
 /// The models with the keys of `told` on top, and those of `built` on top of that where there are
 /// any: `base` holds the models without them.
 ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode& told,
@@ -77,6 +88,7 @@ ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode&
     if (!scenario.camera_file.empty()) {
       stereo.nominal = MountedRig(
           LoadRig(scenario.camera_file, scenario.image_width, scenario.image_height), stereo);
+      RequireView(scenario, set.rover);
     }
   }
   if (base == nullptr || built.Find("station") != nullptr) {

@@ -184,8 +184,9 @@ TEST(MeshShapes, MirroredScaleKeepsFacesOutwards) {
 TEST(MeshesHere, LookOutwardsAndAreSmall) {
   for (const char* name :
        {"axel/meshes/body", "axel/meshes/body_coaxial", "axel/meshes/camera_heads",
-        "axel/meshes/arm", "axel/meshes/wheel", "axel/meshes/paddles", "axel/station/meshes/module",
-        "axel/station/meshes/cone_face", "axel/station/meshes/stand"}) {
+        "axel/meshes/camera_posts", "axel/meshes/arm", "axel/meshes/wheel", "axel/meshes/paddles",
+        "axel/station/meshes/module", "axel/station/meshes/cone_face",
+        "axel/station/meshes/stand"}) {
     const auto mesh = LoadMesh(SourceFile("models/" + std::string(name) + ".obj"));
     EXPECT_GT(SignedVolume(*mesh), 0.0) << name;
     EXPECT_LT(mesh->triangles.size(), 3000u) << name;
