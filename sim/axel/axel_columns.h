@@ -28,7 +28,8 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
   visit("tension_n", "N", "of the tether at the arm's tip", truth.tether_tension_n);
   visit("cone_force_n", "N", "sum of the contact forces of cone and face on the arm",
         truth.cone_force_n);
-  visit("station_shift_m", "m", "mouth from where it stood at the start, horizontal",
+  visit("station_shift_m", "m",
+        "mouth from where it stood at the start, horizontal, up to the judge's shake",
         truth.station_shift_m);
   visit("left_current_a", "A", "of the left wheel's motor", current(Motor::kLeftWheel));
   visit("right_current_a", "A", "of the right wheel's motor", current(Motor::kRightWheel));
@@ -38,6 +39,8 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
   visit("right_sinkage_m", "m", "of the right wheel in the soil", truth.right_sinkage_m);
   visit("yaw_deg", "deg", "heading against the dock's axis, 0: as it docks",
         Degrees(WrapPi(AxleOnGround(truth.X_DR).heading - kPi)));
+  visit("station_shake_m", "m", "mouth from where it stood before the judge's shake",
+        truth.station_shake_m);
 }
 
 /// The measures of a result row. NaN: does not apply.
@@ -54,6 +57,7 @@ struct AxelMeasures {
   double advance_m = 0.0, turned_deg = 0.0, farthest_m = 0.0;
   double pairs_lost = 0.0;
   double rock_force_peak_n = 0.0;
+  double station_shake_m = std::nan("");
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
@@ -70,7 +74,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
         m.lateral_error_m);
   visit("yaw_error_deg", "deg", "body's heading against the cone's axis, at the end", false,
         m.yaw_error_deg);
-  visit("station_shift_m", "m", "mouth from where it stood at the start, at the end", false,
+  visit("station_shift_m", "m", "mouth from where it stood at the start, before the shake", false,
         m.station_shift_m);
   visit("station_sunk_m", "m", "deepest foot of the station in the soil, 0 for hard feet", false,
         m.station_sunk_m);
@@ -98,6 +102,9 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   visit("rock_force_peak_n", "N",
         "largest sum of the rocks' contact forces on the rover, 0 if it touched none", false,
         m.rock_force_peak_n);
+  visit("station_shake_m", "m",
+        "farthest that the shake drew the mouth from where it stood before; nan without a shake",
+        false, m.station_shake_m);
 }
 
 std::vector<Column> Measures();  // and the limits' margins

@@ -114,13 +114,15 @@ Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief,
   }
   plant_.RefreshTruth();
   outcome_.Observe(plant_.truth());
-  const AxelMeasures measures = FinalMeasures(belief);
+  AxelMeasures measures = FinalMeasures(belief);
   ShakeResult shake;
   if (outcome_.entered_at_rest()) {
-    shake = Shake(plant_.world(), plant_.built().world.rover, [&](const Truth& now) {
+    const WorldSetup& world = plant_.built().world;
+    shake = Shake(plant_.world(), world.rover, world.station, [&](const Truth& now) {
       plant_.TakeTruth(now);
       watch("shake");
     });
+    measures.station_shake_m = shake.station_m;
   }
   const auto verdict =
       outcome_.Conclude(last.verdict, static_cast<int>(measures.recoveries), shake);

@@ -194,7 +194,7 @@ std::vector<JudgedLimit> OutcomeJudge::Limits(const ShakeResult& shake) const {
        if_judged(shake.done, shake.travel_m), l.shake_travel_m},
       {"excursion_m", "m", "largest distance of the axle from where it started", kAtLeast,
        if_judged(l.excursion_m > 0.0, farthest_m_), l.excursion_share * l.excursion_m},
-      {"station_shift_m", "m", "mouth from where it was at the start", kAtMost,
+      {"station_shift_m", "m", "mouth from where it was at the start, before the shake", kAtMost,
        last_.station_shift_m, l.station_shift_m},
       {"cone_force_n", "N", "largest force of the arm on the cone", kAtMost,
        if_judged(std::isfinite(station_.cone.rated_force_n), last_.cone_force_peak_n),

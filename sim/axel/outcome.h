@@ -83,6 +83,7 @@ struct ShakeResult {
   double turn_rad = 0.0;       // largest change of heading against the station
   double travel_m = 0.0;       // largest travel of the tip in the mouth frame
   double least_depth_m = 0.0;  // of the tip
+  double station_m = 0.0;      // farthest that the mouth was from where it stood before the shake
 };
 
 /// Watches a run and names its outcome: of the conditions that still hold at the end, the one that

@@ -17,12 +17,15 @@ constexpr Tick kAwayTicks = 2000;
 
 class Shaker {
  public:
-  Shaker(World& world, const RoverModel& rover, const std::function<void(const Truth&)>& watch)
-      : world_(world), rover_(rover), watch_(watch) {
+  Shaker(World& world, const RoverModel& rover, const StationModel& station,
+         const std::function<void(const Truth&)>& watch)
+      : world_(world), rover_(rover), watch_(watch), p_SM_(MouthInStation(station).p) {
     const Truth before = world_.truth();
     heading_ = AxleOnGround(before.X_DR).heading;
     p_MT_ = before.p_MT;
     least_depth_ = -p_MT_.x();
+    p_WM_ = before.X_WS * p_SM_;
+    station_shift_m_ = before.station_shift_m;
   }
 
   void Drive(double forward_m_s, double turn_rad_s, Tick ticks) {
@@ -42,7 +45,7 @@ class Shaker {
     Observe();
   }
 
-  ShakeResult result() const { return {true, turn_, travel_, least_depth_}; }
+  ShakeResult result() const { return {true, turn_, travel_, least_depth_, dragged_}; }
 
  private:
   MotorCommand Wheel(double speed_rad_s, Motor motor) const {
@@ -54,26 +57,29 @@ class Shaker {
   }
 
   void Observe() {
-    const Truth now = world_.truth();
+    Truth now = world_.truth();
+    now.station_shift_m = station_shift_m_;
+    now.station_shake_m = (now.X_WS * p_SM_ - p_WM_).norm();
     turn_ = std::max(turn_, std::abs(WrapPi(AxleOnGround(now.X_DR).heading - heading_)));
     travel_ = std::max(travel_, (now.p_MT - p_MT_).norm());
     least_depth_ = std::min(least_depth_, -now.p_MT.x());
+    dragged_ = std::max(dragged_, now.station_shake_m);
     if (watch_) watch_(now);
   }
 
   World& world_;
   const RoverModel& rover_;
   const std::function<void(const Truth&)>& watch_;
-  double heading_ = 0.0;
-  Eigen::Vector3d p_MT_;
-  double turn_ = 0.0, travel_ = 0.0, least_depth_ = 0.0;
+  double heading_ = 0.0, station_shift_m_ = 0.0;  // before the shake
+  Eigen::Vector3d p_SM_, p_MT_, p_WM_;
+  double turn_ = 0.0, travel_ = 0.0, least_depth_ = 0.0, dragged_ = 0.0;
 };
 
 }  // namespace
 
-ShakeResult Shake(World& world, const RoverModel& rover,
+ShakeResult Shake(World& world, const RoverModel& rover, const StationModel& station,
                   const std::function<void(const Truth&)>& watch) {
-  Shaker shaker(world, rover, watch);
+  Shaker shaker(world, rover, station, watch);
   shaker.Drive(0.0, kYawRate, kYawTicks);
   shaker.Drive(0.0, -kYawRate, 2 * kYawTicks);
   shaker.Drive(0.0, kYawRate, kYawTicks);

@@ -41,9 +41,10 @@ struct Truth {
   double cone_force_peak_n = 0.0;  // largest of all steps until now
   double face_force_n = 0.0;       // part of the force now, on the annular face
   double tip_ground_force_n = 0.0;
-  double station_shift_m =
-      0.0;                      // horizontal distance of the mouth from where it stood at the start
-  double station_sunk_m = 0.0;  // the deepest foot's; 0 for hard feet
+  // Horizontal distance of the mouth from its place at the start, up to the judge's shake; and the
+  // distance from there under the shake.
+  double station_shift_m = 0.0, station_shake_m = 0.0;
+  double station_sunk_m = 0.0;                         // the deepest foot's; 0 for hard feet
   double rock_force_n = 0.0, rock_force_peak_n = 0.0;  // all rocks' on the rover, now and until now
   double left_sinkage_m = 0.0, right_sinkage_m = 0.0;
   double left_wheel_load_n = 0.0, right_wheel_load_n = 0.0;  // the soil's, along z of the site

@@ -72,9 +72,36 @@ TEST(Mating, ArmThatComesThreeDegreesAskewIsDrawnInAndHeld) {
     const Truth seated = Reel(world, built.world.rover, 22.0);
     EXPECT_NEAR(-seated.p_MT.x(), built.world.station.cone.stop_depth_m, 0.005) << soil;
     EXPECT_GT(seated.tether_tension_n, 5.0) << soil;
-    const ShakeResult shake = Shake(world, built.world.rover);
+    const ShakeResult shake = Shake(world, built.world.rover, built.world.station);
     EXPECT_LT(Degrees(shake.turn_rad), 4.5) << soil;
     EXPECT_LT(shake.travel_m, 0.01) << soil;
+  }
+}
+
+// The judge drives away with what it holds: a loose station comes along, one that
+// does not slide stays.
+TEST(Mating, DragOfTheShakeIsNoPushOfTheDocking) {
+  for (const bool anchored : {false, true}) {
+    BuiltRun built = Built("compact_gravel", 0.0);
+    if (anchored) built.world.station.foot_friction = 3.0;
+    World world(built.world);
+    Reel(world, built.world.rover, 22.0);
+    const Truth before = world.truth();
+    Truth last;
+    const ShakeResult shake =
+        Shake(world, built.world.rover, built.world.station, [&](const Truth& now) {
+          EXPECT_EQ(now.station_shift_m, before.station_shift_m);
+          last = now;
+        });
+    const Eigen::Vector3d p_SM = MouthInStation(built.world.station).p;
+    EXPECT_NEAR(last.station_shake_m, (world.truth().X_WS * p_SM - before.X_WS * p_SM).norm(),
+                1e-12);
+    EXPECT_GE(shake.station_m, last.station_shake_m);
+    if (anchored) {
+      EXPECT_LT(shake.station_m, 0.004);
+    } else {
+      EXPECT_GT(shake.station_m, 0.006);
+    }
   }
 }
 
@@ -87,7 +114,7 @@ TEST(Mating, ShakeTurnsTheSeatedArmAlikeAtEveryStep) {
     World world(built.world);
     Reel(world, built.world.rover, 22.0);
     const Tick start = world.tick();
-    const ShakeResult shake = Shake(world, built.world.rover);
+    const ShakeResult shake = Shake(world, built.world.rover, built.world.station);
     EXPECT_EQ(world.tick() - start, 9680);
     if (fine_rad == 0.0) fine_rad = shake.turn_rad;
     EXPECT_NEAR(Degrees(shake.turn_rad), Degrees(fine_rad), 0.3) << step_s;
