@@ -1,7 +1,6 @@
 #include "models/axel/make_nominal.h"
 
 #include "models/axel/mating_fit.h"
-#include "models/parts/gravity.h"
 
 namespace dockyard::axel {
 namespace {
@@ -22,7 +21,8 @@ double SpreadOfSoles(const StationModel& station) {
 
 }  // namespace
 
-Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad) {
+Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad,
+                    double gravity_m_s2) {
   Nominal nominal;
   nominal.rig = rover.stereo.nominal;
   nominal.shutter_s = rover.stereo.sensor.shutter_s;
@@ -41,7 +41,8 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.drum_radius_m = rover.tether.drum_radius_m;
   const MotorModel& spool = rover.motors[static_cast<std::size_t>(Motor::kSpool)];
   nominal.spool_friction_n = spool.gear_friction_nm / rover.tether.drum_radius_m;
-  nominal.station_weight_n = station.module.mass_kg * kEarthGravity_m_s2;
+  nominal.gravity_m_s2 = gravity_m_s2;
+  nominal.station_weight_n = station.module.mass_kg * gravity_m_s2;
   nominal.station_friction = station.foot_friction;
   nominal.station_back_m = -MiddleOfSoles(station).x();
   nominal.station_spread_m = SpreadOfSoles(station);

@@ -178,7 +178,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   // What the controller is told; the lines that follow disturb the world only.
   const ModelSet& told = models.nominal;
   // The arm's encoder is absolute (assumed): the angle at power-on is known.
-  run.nominal = MakeNominal(told.rover, told.station, LyingAt(told.rover, models.keys.start).arm);
+  run.nominal = MakeNominal(told.rover, told.station, LyingAt(told.rover, models.keys.start).arm,
+                            models.nominal.soil.gravity_m_s2);
   run.nominal.vision = models.keys.vision;
   if (!std::isnan(models.keys.bracket_stops)) {
     run.nominal.vision.bracket_stops = models.keys.bracket_stops;

@@ -5,7 +5,6 @@
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
 #include "models/axel/own_view.h"
-#include "models/parts/gravity.h"
 #include "models/read/config_error.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_soil.h"
@@ -50,11 +49,6 @@ void CheckAsBuilt(const Scenario& scenario) {
 
 void CheckTogether(const Scenario& scenario, const AxelKeys& keys, const ModelSet& set) {
   CheckCarries(set.soil, scenario.soil_file, set.rover.left_wheel_soil.width_m);
-  if (set.soil.gravity_m_s2 != kEarthGravity_m_s2) {
-    throw ConfigError(scenario.soil_file + ": gravity_m_s2: expected " +
-                      NumberText(kEarthGravity_m_s2) + ", in which the rover docks, found '" +
-                      NumberText(set.soil.gravity_m_s2) + "'");
-  }
   if (set.rover.tip.radius_m < set.station.cone.throat_radius_m) return;
   throw ConfigError(keys.station_file + ": cone.throat_radius_m: expected more than the " +
                     NumberText(set.rover.tip.radius_m) + " m of the arm's tip in " +

@@ -89,7 +89,8 @@ void World::Impl::TellTether(Truth& truth) const {
   if (truth.p_MT.x() > 0.0) {  // outside the cone it hangs
     const std::vector<Eigen::Vector3d> hanging =
         HangingTether(setup_.rover.tether, ground_, Tilt(setup_.slope), way_G[0], way_G[1],
-                      truth.tether_tension_n, truth.tether_free_m - truth.tether_path_m);
+                      truth.tether_tension_n, truth.tether_free_m - truth.tether_path_m,
+                      setup_.soil.gravity_m_s2);
     truth.tether_W = hanging;
     way_G.erase(way_G.begin(), way_G.begin() + 2);
   }

@@ -7,6 +7,7 @@
 
 #include "controller/base/check.h"
 #include "controller/geometry/axle_attitude.h"
+#include "models/parts/gravity.h"
 #include "sim/axel/rover_start.h"
 #include "sim/axel/world_impl.h"
 #include "sim/base/hash.h"
@@ -35,8 +36,8 @@ double FootStiffness(const WorldSetup& setup, std::size_t soil) {
   const SinkingPlate sole =
       SoleOf(station, soil == 0 ? setup.soil : setup.patch_soils.at(soil - 1));
   if (sole.force_n_per_m_n == 0.0) return station.foot_stiffness_n_per_m;
-  const double share_n = station.module.mass_kg * -GravityInSite(setup.slope).z() /
-                         static_cast<double>(station.feet.size());
+  const double share_n =
+      station.module.mass_kg * -GravityOf(setup).z() / static_cast<double>(station.feet.size());
   return share_n / DepthUnder(sole, share_n);
 }
 
@@ -48,7 +49,7 @@ Pose3 StationStart(const WorldSetup& setup, const HeightGrid& ground) {
       MouthInStation(station) *
       Eigen::Vector3d(station.module.p_LoCom_L - station.mouth_height_m * Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d weight_D =
-      station.module.mass_kg * (RotZ(-setup.X_GD.heading) * GravityInSite(setup.slope));
+      station.module.mass_kg * (RotZ(-setup.X_GD.heading) * GravityOf(setup));
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   Eigen::Vector3d load = Eigen::Vector3d::Zero();
   double sole_m = 0.0;
@@ -79,10 +80,14 @@ Pose3 StationStart(const WorldSetup& setup, const HeightGrid& ground) {
 
 }  // namespace
 
+Eigen::Vector3d GravityOf(const WorldSetup& setup) {
+  return setup.soil.gravity_m_s2 / kEarthGravity_m_s2 * GravityInSite(setup.slope);
+}
+
 World::Impl::Impl(WorldSetup setup)
     : setup_((CheckSetup(setup), std::move(setup))),
       X_WG_(SiteInWorld(setup_.X_WG, setup_.slope)),
-      gravity_G_(GravityInSite(setup_.slope)),
+      gravity_G_(GravityOf(setup_)),
       ground_(std::move(setup_.ground)),
       rigid_(gravity_G_),
       rover_(rigid_, setup_.rover, RoverStart(setup_, ground_), setup_.arm_start_rad,

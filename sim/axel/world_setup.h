@@ -33,4 +33,7 @@ struct WorldSetup {
   bool add_right_side_first = false;  // order in which the bodies are added (mirror test)
 };
 
+/// Gravity in the site [m/s^2]: that of the soil's place, leaning where the site is a slope.
+Eigen::Vector3d GravityOf(const WorldSetup& setup);
+
 }  // namespace dockyard::axel

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/parts/gravity.h"
-
 namespace dockyard {
 namespace {
 
@@ -57,10 +55,10 @@ std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const Heig
                                            const Eigen::Matrix3d& R_LG,
                                            const Eigen::Vector3d& tip_G,
                                            const Eigen::Vector3d& support_G, double tension_n,
-                                           double excess_m) {
+                                           double excess_m, double gravity_m_s2) {
   const Eigen::Vector3d tip = R_LG * tip_G, way = R_LG * (support_G - tip_G);
   const double h = way.head<2>().norm(), v = way.z();
-  const double weight_n_per_m = tether.mass_kg_per_m * kEarthGravity_m_s2;
+  const double weight_n_per_m = tether.mass_kg_per_m * gravity_m_s2;
   double a = kFlattest * h;
   if (tension_n > kSmallestTension_n && weight_n_per_m > 0.0) {
     a = OfTension(tension_n / weight_n_per_m, h, v);

@@ -31,6 +31,7 @@ struct Nominal {
   // Of the spool's gears, at the tether: it pulls this much less than the motor while it is reeled
   // in, and this much more while it is pulled out.
   double spool_friction_n = 0.0;
+  double gravity_m_s2 = 9.81;     // of the place, nominal
   double station_weight_n = 0.0;  // m g
   double station_friction = 0.0;  // of its soles on the ground
   // The middle of its soles behind the mouth, and how far they are from it, in the mean.

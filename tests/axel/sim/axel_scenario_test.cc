@@ -126,11 +126,12 @@ TEST(AxelKeys, WhatThePaperLeavesOpenReachesTheController) {
   EXPECT_EQ(nominal.tsai2013.drive_m_s, Tsai2013Options{}.drive_m_s);
 }
 
-// The rover and its station weigh as on Earth.
-TEST(Changes, OfTheSoilsGravityAreRefused) {
-  EXPECT_THAT(SetMessage("changes.soil.gravity_m_s2=1.62"),
-              HasSubstr("gravity_m_s2: expected 9.81, in which the rover docks, found '1.62'"));
-  EXPECT_EQ(SetMessage("changes.soil.gravity_m_s2=9.81"), "(no error)");
+// The place's: rover and station weigh in it, and it is a nominal parameter (gravity_test.cc).
+TEST(Changes, OfTheSoilsGravityAreThoseOfTheWorld) {
+  const AxelModels models = LoadModels(Typical({"changes.soil.gravity_m_s2=1.62"}));
+  EXPECT_EQ(models.nominal.soil.gravity_m_s2, 1.62);
+  EXPECT_EQ(models.built.soil.gravity_m_s2, 1.62);
+  EXPECT_THAT(SetMessage("changes.soil.gravity_m_s2=0"), HasSubstr("gravity_m_s2: expected"));
 }
 
 TEST(AxelKeys, UnknownKeyNamesTheNearest) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "axel/sim/product.h"
 #include "sim/axel/tether_path.h"
@@ -16,6 +17,7 @@ const Eigen::Matrix3d kLevel = Eigen::Matrix3d::Identity();
 
 constexpr double kInsideArm_m = 1.0;
 constexpr double kDt = 1e-3;
+constexpr double kG = 9.81;  // [m/s^2]
 
 TEST(TetherPath, IsStraightOnTheAxis) {
   const TetherPath path = FindTetherPath(Station().cone, 0.35, {2.0, 0.0});
@@ -193,7 +195,7 @@ TEST(Tether, KeepsItsLengthWhenItComesToLieOverAnEdge) {
 TEST(TetherShape, SlackLiesOnTheGround) {
   const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
   const auto points =
-      HangingTether(Axel().tether, ground, kLevel, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3);
+      HangingTether(Axel().tether, ground, kLevel, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3, kG);
   double lowest = 1.0;
   for (const auto& p : points) lowest = std::min(lowest, p.z());
   EXPECT_NEAR(lowest, 0.003, 1e-12);
@@ -209,10 +211,12 @@ TEST(TetherShape, TautHangsInTheCatenaryOfItsTension) {
   // a = H / w with H = T - w sag at level supports: sag = a (cosh(h / 2a) - 1), length
   // 2 a sinh(h / 2a).
   const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
-  const double w = 0.05 * 9.81, span = 4.0;
-  for (double tension : {2.0, 5.0, 20.0, 100.0}) {
+  const double span = 4.0;
+  for (const auto& [tension, g] :
+       {std::pair(2.0, kG), {5.0, kG}, {20.0, kG}, {100.0, kG}, {2.0, 3.71}, {20.0, 3.71}}) {
+    const double w = 0.05 * g;
     const auto points =
-        HangingTether(Axel().tether, ground, kLevel, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
+        HangingTether(Axel().tether, ground, kLevel, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0, g);
     double a = tension / w;
     for (int i = 0; i < 50; ++i) a = (tension / w) / std::cosh(0.5 * span / a);
     double lowest = 1.0;
@@ -228,7 +232,7 @@ TEST(TetherShape, SlackHangsInTheCatenaryOfItsLength) {
   for (double rise : {0.0, 0.4}) {
     const Eigen::Vector3d tip(3.0, 0.2, 5.0), anchor(0.0, 0.0, 5.0 + rise);
     const double straight = (anchor - tip).norm(), excess = 0.3;
-    const auto points = HangingTether(Axel().tether, ground, kLevel, tip, anchor, 0.0, excess);
+    const auto points = HangingTether(Axel().tether, ground, kLevel, tip, anchor, 0.0, excess, kG);
     EXPECT_EQ(points.front(), tip);
     EXPECT_EQ(points.back(), anchor);
     EXPECT_NEAR(Length(points), straight + excess, 2e-3 * straight) << rise;
