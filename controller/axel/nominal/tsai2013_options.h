@@ -1,6 +1,7 @@
 // Every number of the controller of Tsai, Nesnas and Zarzhitsky (2013) in one place. The paper
-// gives few: those are cited. The others were chosen from its parts, none from a rate of success;
-// docs/reference/axel2013.md says how. Keys of a scenario under axel.tsai2013.
+// gives few: those are cited. The others were chosen from its parts, none from a rate of success.
+// most_turn_rad, and the second image pair at contact, were chosen after drives and dockings that
+// had gone wrong; docs/reference/axel2013.md says how. Keys of a scenario under axel.tsai2013.
 #pragma once
 
 #include "controller/geometry/pose.h"
