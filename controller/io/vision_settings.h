@@ -32,6 +32,20 @@ struct Tsai2013Vision {
   int agreeing_points = 5;
   Tsai2013First first = Tsai2013First::kLowest;
 
+  // The blob filter: "size, eccentricity, Euler number, and coincident centroids of black and white
+  // blobs", whose thresholds "had wide ranges" (III-A.2), and the "B/W ratio" (Fig. 5). The paper
+  // has no value of any.
+  double least_area_px = 20.0;     // of a region, a disc 5 px across; assumed, 10-60
+  double most_area_share = 0.05;   // of the image, a disc at half a metre; assumed, 0.02-0.1
+  double least_axis_ratio = 0.45;  // 63 deg from the front; assumed, 0.3-0.6
+  int most_holes = 2;              // an Euler number of -1 or more; assumed, 1-4
+  double coincidence = 0.25;       // of the centroids, in mean radii; assumed, 0.15-0.4
+  double least_white = 0.04;       // of the disc, where the printed bar has 0.18; assumed, 0.02-0.1
+  double most_white = 0.45;        // the same; assumed, 0.3-0.6
+  // The paper does not name these two.
+  double fullness = 0.8;        // outline's area over its ellipse's; assumed, 0-0.9 (0: none)
+  double pattern_within = 0.8;  // of the radius: the white is measured within it; assumed, 0.6-0.95
+
   bool operator==(const Tsai2013Vision&) const = default;
 };
 

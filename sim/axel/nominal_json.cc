@@ -18,6 +18,20 @@ void VisitMembers(M& map, const Visit& visit) {
   visit("sigma_m", map.sigma_m);
 }
 
+/// Of the blob filter of Tsai et al. (2013).
+template <class Vision, class Visit>
+void VisitTsai2013Blobs(Vision& vision, const Visit& visit) {
+  visit("least_area_px", vision.least_area_px);
+  visit("most_area_share", vision.most_area_share);
+  visit("least_axis_ratio", vision.least_axis_ratio);
+  visit("most_holes", vision.most_holes);
+  visit("coincidence", vision.coincidence);
+  visit("least_white", vision.least_white);
+  visit("most_white", vision.most_white);
+  visit("fullness", vision.fullness);
+  visit("pattern_within", vision.pattern_within);
+}
+
 /// What Tsai et al. (2013) leave open.
 template <class Vision, class Options, class Visit>
 void VisitTsai2013(Vision& vision, Options& options, const Visit& visit) {
@@ -28,6 +42,7 @@ void VisitTsai2013(Vision& vision, Options& options, const Visit& visit) {
   visit("closeness_px", vision.closeness_px);
   visit("closeness_radii", vision.closeness_radii);
   visit("agreeing_points", vision.agreeing_points);
+  if (visit.Has("least_area_px", true)) VisitTsai2013Blobs(vision, visit);  // not in earlier logs
   visit("align_r_m", options.align_r_m);
   visit("mate_r_m", options.mate_r_m);
   visit("mate_gap_m", options.mate_gap_m);

@@ -18,6 +18,27 @@ void VisitVision(Keys& keys, Tsai2013Vision& vision) {
               vision.first, {"lowest", "topmost", "leftmost", "largest"});
 }
 
+void VisitBlobs(Keys& keys, Tsai2013Vision& vision) {
+  keys.Number({"least_area_px", "px", "blob filter: area of a black region, in pixels, at least"},
+              vision.least_area_px, Between(5.0, 200.0));
+  keys.Number({"most_area_share", "", "the same at most, as a share of the image"},
+              vision.most_area_share, Between(0.005, 0.5));
+  keys.Number({"least_axis_ratio", "", "its minor axis over its major one, at least"},
+              vision.least_axis_ratio, Between(0.1, 0.9));
+  keys.Integer({"most_holes", "", "its holes at most: 2 is an Euler number of -1"},
+               vision.most_holes, 0, 20);
+  keys.Number({"coincidence", "", "centroids of region, rim and white so near, in radii"},
+              vision.coincidence, Between(0.05, 1.0));
+  keys.Number({"least_white", "", "white's share of the disc, at least"}, vision.least_white,
+              Between(0.0, 0.15));
+  keys.Number({"most_white", "", "white's share of the disc, at most"}, vision.most_white,
+              Between(0.2, 1.0));
+  keys.Number({"fullness", "", "region's area over its ellipse's, at least; not in the paper"},
+              vision.fullness, Between(0.0, 0.95));
+  keys.Number({"pattern_within", "", "the white is measured within this share of the radius"},
+              vision.pattern_within, Between(0.3, 1.0));
+}
+
 void VisitRegions(Keys& keys, Tsai2013Options& options) {
   keys.Number({"align_r_m", "m", "border between approach and alignment, axle to mouth"},
               options.align_r_m, Between(1.5, 5.0));
@@ -66,6 +87,7 @@ void VisitDrive(Keys& keys, Tsai2013Options& options) {
 
 void VisitTsai2013Keys(Keys& keys, Tsai2013Vision& vision, Tsai2013Options& options) {
   VisitVision(keys, vision);
+  VisitBlobs(keys, vision);
   VisitRegions(keys, options);
   VisitDrive(keys, options);
 }

@@ -21,15 +21,6 @@ cv::Mat AdaptiveBlack(const cv::Mat& gray, const Tsai2013Vision& settings) {
   return black;
 }
 
-// "Thresholds on individual filters had wide ranges" (III-A.2); all assumed.
-constexpr double kMinArea = 20.0;                     // [px]: a disc 5 px across
-constexpr double kMaxAreaShare = 0.05;                // of the image: a disc at half a metre
-constexpr double kMinAxisRatio = 0.45;                // 60 deg oblique
-constexpr int kMaxHoles = 2;                          // Euler number -1 or more
-constexpr double kCoincidence = 0.25;                 // of the mean radius
-constexpr double kMinWhite = 0.04, kMaxWhite = 0.45;  // share of the disc; the printed bar has 0.18
-constexpr double kFullness = 0.8;                     // outline's area over its ellipse's
-constexpr double kInside = 0.8;  // of the radius: the pattern is read within it
 // More outlines are noise, and no marks are found: cv::findContours takes 1.4 s for 125 000 of them
 // (3 megapixels of noise), and 34 s for 500 000. A rendered image 1024 px wide has 1000.
 constexpr int kMostOutlines = 150000;
@@ -59,7 +50,7 @@ struct Pattern {
 };
 
 /// The white inside a disc, seen with the rim as a unit circle.
-Pattern InsidePattern(const cv::Mat& gray, const Ellipse& rim, double threshold) {
+Pattern InsidePattern(const cv::Mat& gray, const Ellipse& rim, double threshold, double within) {
   Pattern pattern;
   const double reach_x = rim.shape_px.row(0).norm(), reach_y = rim.shape_px.row(1).norm();
   int all = 0, white = 0;
@@ -72,7 +63,7 @@ Pattern InsidePattern(const cv::Mat& gray, const Ellipse& rim, double threshold)
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
       const Eigen::Vector2d n = rim.ToDisc({x, y});
-      if (n.norm() > kInside) continue;
+      if (n.norm() > within) continue;
       ++all;
       if (gray.at<std::uint8_t>(y, x) < threshold) continue;
       ++white;
@@ -81,7 +72,7 @@ Pattern InsidePattern(const cv::Mat& gray, const Ellipse& rim, double threshold)
     }
   }
   if (white < 2) return pattern;
-  pattern.white_share = kInside * kInside * white / all;
+  pattern.white_share = within * within * white / all;
   pattern.centroid = sum / white;
   const Eigen::Matrix2d M = squares / white - pattern.centroid * pattern.centroid.transpose();
   const double angle = 0.5 * std::atan2(2.0 * M(0, 1), M(0, 0) - M(1, 1));  // y down
@@ -106,30 +97,46 @@ std::optional<Ellipse> Perimeter(const cv::Mat& gray, const cv::Rect& box, doubl
   return ellipse;
 }
 
-std::optional<DetectedFiducial> Examine(const cv::Mat& gray,
-                                        const std::vector<cv::Point>& outline) {
+/// The outline's ellipse where its size, eccentricity and fullness pass.
+std::optional<Ellipse> Region(const std::vector<cv::Point>& outline, const cv::Size& image,
+                              const Tsai2013Vision& settings) {
   const cv::Moments m = cv::moments(outline);
-  if (m.m00 < kMinArea || m.m00 > kMaxAreaShare * gray.total()) return std::nullopt;
-  const auto region = MomentEllipse(m);
-  if (!region || !FitsInside(*region, gray.size())) return std::nullopt;
-  const Eigen::Vector2d axes = region->semi_axes_px();
-  if (axes(0) < kMinAxisRatio * axes(1) ||
-      m.m00 < kFullness * kPi * (axes(0) - 0.5) * (axes(1) - 0.5)) {
+  if (m.m00 < settings.least_area_px || m.m00 > settings.most_area_share * image.area()) {
     return std::nullopt;
   }
-  cv::Rect box = cv::boundingRect(outline);
+  const auto region = MomentEllipse(m);
+  if (!region || !FitsInside(*region, image)) return std::nullopt;
+  const Eigen::Vector2d axes = region->semi_axes_px();
+  if (axes(0) < settings.least_axis_ratio * axes(1) ||
+      m.m00 < settings.fullness * kPi * (axes(0) - 0.5) * (axes(1) - 0.5)) {
+    return std::nullopt;
+  }
+  return region;
+}
+
+/// The outline's box, a little wider.
+cv::Rect BoxAround(const std::vector<cv::Point>& outline, const cv::Mat& gray) {
+  const cv::Rect box = cv::boundingRect(outline);
   const int margin = 2 + box.width / 10;
-  box = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
-        cv::Rect(0, 0, gray.cols, gray.rows);
+  return cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+         cv::Rect(0, 0, gray.cols, gray.rows);
+}
+
+std::optional<DetectedFiducial> Examine(const cv::Mat& gray, const std::vector<cv::Point>& outline,
+                                        const Tsai2013Vision& settings) {
+  const auto region = Region(outline, gray.size(), settings);
+  if (!region) return std::nullopt;
+  const cv::Rect box = BoxAround(outline, gray);
   const double threshold = LocalThreshold(gray(box));
   const auto rim = Perimeter(gray, box, threshold);
   if (!rim || !FitsInside(*rim, gray.size()) ||
-      (rim->centre_px - region->centre_px).norm() > kCoincidence * region->mean_radius_px()) {
+      (rim->centre_px - region->centre_px).norm() >
+          settings.coincidence * region->mean_radius_px()) {
     return std::nullopt;
   }
-  const Pattern pattern = InsidePattern(gray, *rim, threshold);
-  if (pattern.white_share < kMinWhite || pattern.white_share > kMaxWhite ||
-      pattern.centroid.norm() > kCoincidence) {
+  const Pattern pattern = InsidePattern(gray, *rim, threshold, settings.pattern_within);
+  if (pattern.white_share < settings.least_white || pattern.white_share > settings.most_white ||
+      pattern.centroid.norm() > settings.coincidence) {
     return std::nullopt;
   }
   // The image's up in the plane where the rim is a circle.
@@ -161,8 +168,8 @@ std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image,
     for (int hole = links[i][2]; hole >= 0; hole = links[static_cast<std::size_t>(hole)][0]) {
       holes += cv::contourArea(contours[static_cast<std::size_t>(hole)]) >= 1.0;
     }
-    if (holes > kMaxHoles) continue;
-    const auto fiducial = Examine(gray, contours[i]);
+    if (holes > settings.most_holes) continue;
+    const auto fiducial = Examine(gray, contours[i], settings);
     if (fiducial) found.push_back(*fiducial);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -98,7 +98,9 @@ TEST(NominalJson, ReadsBackWhatThePaperLeavesOpen) {
     *value = number += 0.1;
   }
   o.blind_looks = 7;
-  nominal.vision.tsai2013 = {0.11, 0.12, 13.0, 0.14, 6, Tsai2013First::kLeftmost};
+  nominal.vision.tsai2013 = {0.11, 0.12, 13.0, 0.14, 6,    Tsai2013First::kLeftmost,
+                             21.0, 0.06, 0.46, 3,    0.26, 0.05,
+                             0.46, 0.81, 0.79};
   const Nominal read = NominalFromJson(ToJson(nominal));
   EXPECT_EQ(read.tsai2013, nominal.tsai2013);
   EXPECT_EQ(read.vision, nominal.vision);
@@ -106,6 +108,12 @@ TEST(NominalJson, ReadsBackWhatThePaperLeavesOpen) {
   json["tsai2013"]["first"] = "rightmost";
   EXPECT_EQ(ErrorOf(json),
             "tsai2013 first: expected lowest, topmost, leftmost or largest, found 'rightmost'");
+  json["tsai2013"]["first"] = "lowest";
+  json["tsai2013"].erase("least_area_px");  // a log from before the filters' members
+  const Tsai2013Vision before = NominalFromJson(json).vision.tsai2013;
+  EXPECT_EQ(before.black_below_mean, 0.11);
+  EXPECT_EQ(before.most_holes, Tsai2013Vision{}.most_holes);
+  EXPECT_EQ(before.pattern_within, Tsai2013Vision{}.pattern_within);
   json.erase("tsai2013");  // a log from before
   EXPECT_EQ(NominalFromJson(json).tsai2013, Tsai2013Options{});
 }
