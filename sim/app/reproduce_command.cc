@@ -48,7 +48,7 @@ Examples:
 Without NAME, all experiments are listed. Each run of the experiment is simulated --replications
 times with fresh noise. Then its table stands beside the publication's, with the interval in which
 the published count is to be expected. Exit code 0: the total lies in its interval of 95 %, and each
-of the m rows that count in its own of 1 - 0.05/m; 30: one of them lies outside; 10: runs are
+of the m rows that count in its own of 1 - 0.05/m, causes alike; 30: one lies outside; 10: runs are
 missing, crashed or were stopped, or are not those of the experiment. --set sets keys of the first
 campaign, or of the one of --only. Stopped, the same command goes on where it was.)";
 

@@ -31,6 +31,7 @@ void RequireAll(const std::vector<PublishedName>& given, const std::vector<std::
 void CheckPublished(const Published& published, const std::vector<CampaignNames>& campaigns) {
   const CampaignNames& first = campaigns.at(0);
   RequireAll(published.counted, first.outcomes, "an outcome of the system");
+  RequireAll(published.strict, first.outcomes, "an outcome of the system");
   for (const FailureClass& failure : published.failures) {
     RequireLabels(failure.where, first);
     for (const FailureCase& each : failure.cases) {

@@ -50,7 +50,7 @@ std::size_t RowNamed(const PublishedName& name, const Published& published) {
 
 void ReadRows(const YamlReader& in, Published& published) {
   in.List("rows", 1, kMostPublishedItems);
-  ForItems(in, "rows", {"name", "paper", "where", "campaign", "runs", "outcomes"},
+  ForItems(in, "rows", {"name", "paper", "says", "where", "campaign", "runs", "outcomes"},
            [&](const YamlReader& item) {
              PublishedRow row{item.Text("name"), CountOf(item, "paper"), FiltersOf(item)};
              if (item.Has("campaign")) {
@@ -61,6 +61,7 @@ void ReadRows(const YamlReader& in, Published& published) {
                item.Refuse("runs", "none without a campaign: the first has the paper's");
              }
              row.outcomes = NamesOf(item, "outcomes");
+             row.says = item.TextOr("says", "");
              published.rows.push_back(std::move(row));
            });
   published.total = RowNamed(NameOf(in, "total"), published);
@@ -76,7 +77,7 @@ void ReadRows(const YamlReader& in, Published& published) {
 }
 
 void ReadFailures(const YamlReader& in, Published& published) {
-  ForItems(in, "failures", {"name", "paper", "says", "where", "cases"},
+  ForItems(in, "failures", {"name", "paper", "says", "where", "cases", "judged"},
            [&](const YamlReader& item) {
              FailureClass failure{item.Text("name"),
                                   CountOf(item, "paper"),
@@ -92,6 +93,10 @@ void ReadFailures(const YamlReader& in, Published& published) {
                           found.wrong_sighting = each.Choice("sighting", {"wrong"}) == 0;
                         failure.cases.push_back(std::move(found));
                       });
+             failure.judged = item.BoolOr("judged", false);
+             if (failure.judged && !failure.paper) {
+               item.Refuse("judged", "the paper's count of a class that is judged");
+             }
              published.failures.push_back(std::move(failure));
            });
   published.others = in.TextOr("others", "");
@@ -165,8 +170,8 @@ Published LoadPublished(const std::string& file) {
   const YamlNode tree = LoadYaml(file);
   const YamlReader in(
       tree, "",
-      {"reproduction", "source", "campaigns", "replications", "counted", "rows", "total", "judged",
-       "failures", "others", "sightings", "measures", "figures", "choices"});
+      {"reproduction", "source", "campaigns", "replications", "counted", "strict", "rows", "total",
+       "judged", "failures", "others", "sightings", "measures", "figures", "choices"});
   Published published;
   published.name = in.Text("reproduction");
   if (published.name.find('/') != std::string::npos || published.name[0] == '.') {
@@ -178,6 +183,7 @@ Published LoadPublished(const std::string& file) {
   published.replications = in.IntegerOr("replications", 1, 1, 10000);
   in.List("counted", 1, kMostPublishedItems);
   published.counted = NamesOf(in, "counted");
+  published.strict = NamesOf(in, "strict");
   ReadRows(in, published);
   ReadFailures(in, published);
   ReadSightings(in, published);

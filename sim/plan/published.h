@@ -40,6 +40,7 @@ struct PublishedRow {
   std::optional<PublishedName> campaign{};  // none: the first
   int runs = 0;  // that it must have here; 0: the paper's, each once a replication
   std::vector<PublishedName> outcomes{};  // that it counts; empty: those of `counted`
+  std::string says{};                     // in place of the paper's count
 };
 
 /// A way to tell a class of failures from a run: all that is set must hold.
@@ -56,6 +57,7 @@ struct FailureClass {
   std::string says;                     // about the paper's count, or in place of one
   std::vector<LabelFilter> where;
   std::vector<FailureCase> cases;  // one must hold
+  bool judged = false;             // its count is held against the paper's
 };
 
 /// A measure over runs, beside the range that was published. NaN: none was.
@@ -92,6 +94,7 @@ struct Published {
   std::vector<PublishedCampaign> campaigns;  // the first has the rows
   int replications = 1;                      // of its runs
   std::vector<PublishedName> counted;        // outcomes that count as the paper's success
+  std::vector<PublishedName> strict;         // those that are truly one; may be empty
   std::vector<PublishedRow> rows;
   std::size_t total = 0;            // of rows: judged at the confidence itself
   std::vector<std::size_t> judged;  // of rows: each at 1 - (1 - confidence) / their number

@@ -16,15 +16,22 @@ bool Contains(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
+/// Runs, successes and true successes of a row.
+void CountRuns(const Published& published, const CampaignResults& results, RowFinding* found) {
+  const std::vector<PublishedName>& outcomes = found->row->outcomes;
+  if (outcomes.empty() && !published.strict.empty()) found->strict.emplace();
+  for (const RunResult& row : results.rows) {
+    if (!Matches(found->row->where, row, results.columns)) continue;
+    ++found->runs;
+    found->successes += outcomes.empty() ? Counts(published, row) : IsNamed(outcomes, row.outcome);
+    if (found->strict) found->strict->successes += IsNamed(published.strict, row.outcome);
+  }
+}
+
 RowFinding FindRow(const Published& published, std::size_t place, const CampaignResults& results) {
   RowFinding found;
   found.row = &published.rows[place];
-  for (const RunResult& row : results.rows) {
-    if (!Matches(found.row->where, row, results.columns)) continue;
-    ++found.runs;
-    const auto& outcomes = found.row->outcomes;
-    found.successes += outcomes.empty() ? Counts(published, row) : IsNamed(outcomes, row.outcome);
-  }
+  CountRuns(published, results, &found);
   const auto& judged = published.judged;
   const bool of_judged = std::find(judged.begin(), judged.end(), place) != judged.end();
   found.counts = of_judged || place == published.total;
@@ -38,6 +45,11 @@ RowFinding FindRow(const Published& published, std::size_t place, const Campaign
   found.at_95 = PredictCount(found.successes, found.runs, paper.runs, kConfidence);
   found.judged_at = PredictCount(found.successes, found.runs, paper.runs, found.confidence);
   found.p = PredictionP(found.successes, found.runs, paper.count, paper.runs);
+  if (found.strict) {
+    const int strict = found.strict->successes;
+    found.strict->at_95 = PredictCount(strict, found.runs, paper.runs, kConfidence);
+    found.strict->p = PredictionP(strict, found.runs, paper.count, paper.runs);
+  }
   return found;
 }
 
@@ -117,15 +129,19 @@ const CampaignResults& ResultsOf(const PublishedName& campaign, const Published&
   return campaigns.at(static_cast<std::size_t>(at - published.campaigns.begin()));
 }
 
-ReproductionVerdict VerdictOf(const std::vector<RowFinding>& rows,
-                              const std::vector<MeasureFinding>& measures) {
+ReproductionVerdict VerdictOf(const ReproductionFinding& found) {
   bool inside = true;
-  for (const RowFinding& row : rows) {
+  for (const RowFinding& row : found.rows) {
     if (!row.counts) continue;
     if (!row.comparable()) return ReproductionVerdict::kNotJudged;
     inside = inside && row.inside();
   }
-  for (const MeasureFinding& each : measures) {
+  for (const FailureFinding& each : found.failures) {
+    if (!each.counts) continue;
+    if (!each.comparable()) return ReproductionVerdict::kNotJudged;
+    inside = inside && each.inside();
+  }
+  for (const MeasureFinding& each : found.measures) {
     if (!each.measure->judged) continue;
     if (!each.simulated) return ReproductionVerdict::kNotJudged;
     inside = inside && each.inside();
@@ -178,7 +194,7 @@ ReproductionFinding JudgeReproduction(const Published& published,
     found.measures.push_back(
         FindMeasure(published, measure, ResultsOf(measure.campaign, published, campaigns), first));
   }
-  found.verdict = VerdictOf(found.rows, found.measures);
+  found.verdict = VerdictOf(found);
   return found;
 }
 

@@ -32,9 +32,17 @@ struct CampaignResults {
   SightingErrors sightings;
 };
 
+/// The paper's count against the runs that are truly successes; it is shown and does not count.
+struct StrictFinding {
+  int successes = 0;
+  CountInterval at_95;  // of the paper's count
+  double p = 1.0;       // PredictionP
+};
+
 struct RowFinding {
   const PublishedRow* row = nullptr;
   int successes = 0, runs = 0;
+  std::optional<StrictFinding> strict;  // where the file has `strict` and the row no outcomes
   int lacking = 0;           // runs of the row that this campaign does not have (or has beyond it)
   double confidence = 0.95;  // at which it is judged; else 0.95
   CountInterval at_95, judged_at;  // of the paper's count
@@ -49,8 +57,14 @@ struct FailureFinding {
   std::string name, says;
   std::optional<PublishedCount> paper;
   int count = 0, runs = 0;
-  std::optional<CountInterval>
-      at_95;  // of the paper's count, where the runs are those of the paper
+  // Of the paper's count, where the runs are those of the paper.
+  std::optional<CountInterval> at_95{};
+  bool counts = false;       // for the verdict
+  double confidence = 0.95;  // at which it is judged; else 0.95
+  CountInterval judged_at{};
+  double p = 1.0;  // PredictionP
+  bool comparable() const { return at_95.has_value(); }
+  bool inside() const { return judged_at.Holds(paper->count); }
 };
 
 struct ErrorFinding {
@@ -92,10 +106,11 @@ bool Counts(const Published& published, const RunResult& row);
 bool Matches(const std::vector<LabelFilter>& where, const RunResult& row,
              const RowColumns& columns);
 
-/// The total is judged at 0.95, each of the m rows that count at 1 - 0.05 / m (Bonferroni): outside
-/// when the paper's count lies outside its exact prediction interval. A measure that is judged is
+/// The total is judged at 0.95, each of the m rows that count at 1 - 0.05 / m (Bonferroni), and
+/// each of the k classes of failures that count at 1 - 0.05 / k: outside when the paper's count
+/// lies outside its exact prediction interval. A measure that is judged is
 /// outside when its mean is, or when no run has it. Not judged unless each of
-/// these rows has all its runs, the paper's starts, each once a replication.
+/// these rows and classes has all its runs, the paper's starts, each once a replication.
 /// @param campaigns  as in the file; without rows: not run
 ReproductionFinding JudgeReproduction(const Published& published,
                                       const std::vector<CampaignResults>& campaigns);

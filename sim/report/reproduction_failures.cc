@@ -60,6 +60,15 @@ std::size_t ClassOf(const RunResult& row, const CampaignResults& results,
   return published.failures.size();
 }
 
+/// Where the runs are those of the paper.
+void Predict(int replications, FailureFinding* each) {
+  if (!each->paper || each->runs != each->paper->runs * replications) return;
+  const PublishedCount paper = *each->paper;
+  each->at_95 = PredictCount(each->count, each->runs, paper.runs, kOfClass);
+  each->judged_at = PredictCount(each->count, each->runs, paper.runs, each->confidence);
+  each->p = PredictionP(each->count, each->runs, paper.count, paper.runs);
+}
+
 }  // namespace
 
 bool IsNamed(const std::vector<PublishedName>& names, const std::string& text) {
@@ -76,21 +85,23 @@ std::vector<FailureFinding> FindFailures(const Published& published,
                                          const CampaignResults& results) {
   std::vector<FailureFinding> found;
   if (published.failures.empty()) return found;
+  int judged = 0;
   for (const FailureClass& failure : published.failures) {
-    FailureFinding each{failure.name, failure.says, failure.paper, 0, 0, std::nullopt};
+    FailureFinding each{failure.name, failure.says, failure.paper};
     for (const RunResult& row : results.rows) {
       each.runs += Matches(failure.where, row, results.columns);
     }
+    each.counts = failure.judged;
+    judged += failure.judged;
     found.push_back(std::move(each));
   }
-  found.push_back(
-      {"others", published.others, std::nullopt, 0, static_cast<int>(results.rows.size()), {}});
+  found.push_back({"others", published.others, {}, 0, static_cast<int>(results.rows.size())});
   for (const RunResult& row : results.rows) {
     if (!Counts(published, row)) ++found[ClassOf(row, results, published)].count;
   }
   for (FailureFinding& each : found) {
-    if (!each.paper || each.runs != each.paper->runs * results.replications) continue;
-    each.at_95 = PredictCount(each.count, each.runs, each.paper->runs, kOfClass);
+    if (each.counts) each.confidence = 1.0 - (1.0 - kOfClass) / judged;
+    Predict(results.replications, &each);
   }
   return found;
 }

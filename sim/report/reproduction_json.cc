@@ -22,10 +22,29 @@ Json RowJson(const RowFinding& each) {
             {"runs", each.runs},
             {"interval95", Pair(interval.low, interval.high)},
             {"judged", each.counts}};
+  if (each.strict) json["strict_count"] = each.strict->successes;
+  if (!each.row->says.empty()) json["says"] = each.row->says;
   if (!each.row->paper) return json;
   json["comparable"] = each.comparable();
   if (!each.comparable()) return json;
   json["predicted95"] = Pair(each.at_95);
+  json["p"] = each.p;
+  json["confidence"] = each.confidence;
+  json["predicted"] = Pair(each.judged_at);
+  json["inside"] = each.inside();
+  if (each.strict) {
+    json["strict_predicted95"] = Pair(each.strict->at_95);
+    json["strict_p"] = each.strict->p;
+  }
+  return json;
+}
+
+Json FailureJson(const FailureFinding& each) {
+  Json json{{"name", each.name},    {"paper", PaperJson(each.paper)},
+            {"says", each.says},    {"count", each.count},
+            {"runs", each.runs},    {"predicted95", each.at_95 ? Pair(*each.at_95) : Json()},
+            {"judged", each.counts}};
+  if (!each.comparable()) return json;
   json["p"] = each.p;
   json["confidence"] = each.confidence;
   json["predicted"] = Pair(each.judged_at);
@@ -80,14 +99,7 @@ Json ReproductionJson(const ReproductionFinding& found) {
             {"sightings", Json::array()},
             {"measures", Json::array()}};
   for (const RowFinding& each : found.rows) json["rows"].push_back(RowJson(each));
-  for (const FailureFinding& each : found.failures) {
-    json["failures"].push_back({{"name", each.name},
-                                {"paper", PaperJson(each.paper)},
-                                {"says", each.says},
-                                {"count", each.count},
-                                {"runs", each.runs},
-                                {"predicted95", each.at_95 ? Pair(*each.at_95) : Json()}});
-  }
+  for (const FailureFinding& each : found.failures) json["failures"].push_back(FailureJson(each));
   for (const ErrorFinding& each : found.errors) json["sightings"].push_back(ErrorJson(each));
   for (const MeasureFinding& each : found.measures) json["measures"].push_back(MeasureJson(each));
   return json;

@@ -40,16 +40,28 @@ std::string PercentText(double confidence) {
   return NumberText(std::round(1e4 * confidence) / 100.0) + " %";
 }
 
-std::string RowVerdict(const RowFinding& found) {
-  if (!found.row->paper) return "";
-  const int wanted = found.runs + found.lacking;
-  if (!found.comparable()) {
-    return std::to_string(found.runs) + " of " + CountText(wanted, "run") + ": not judged";
-  }
+std::string NamesText(const std::vector<PublishedName>& names) {
+  std::string text;
+  for (const PublishedName& name : names) text += (text.empty() ? "" : ", ") + name.text;
+  return text;
+}
+
+/// Of a row or of a class of failures that has its runs.
+template <class Finding>
+std::string CountVerdict(const Finding& found) {
   const std::string word = found.inside() ? "inside " : "outside ";
   return word + (found.counts ? "at " + PercentText(found.confidence) + ": " : "") +
          Range(found.judged_at) + ", p = " + BriefNumber(found.p) +
          (found.counts ? "" : ", does not count");
+}
+
+std::string RowVerdict(const RowFinding& found) {
+  if (!found.row->paper) return found.row->says;
+  const int wanted = found.runs + found.lacking;
+  if (!found.comparable()) {
+    return std::to_string(found.runs) + " of " + CountText(wanted, "run") + ": not judged";
+  }
+  return CountVerdict(found);
 }
 
 std::string RowsText(const ReproductionFinding& found) {
@@ -63,16 +75,43 @@ std::string RowsText(const ReproductionFinding& found) {
   return Table(lines);
 }
 
+/// The paper's counts against the runs that are truly successes.
+std::string StrictText(const ReproductionFinding& found) {
+  if (found.published->strict.empty()) return "";
+  std::vector<Line> lines{{"strictly", "paper", "here", "predicted", "the paper's count would be"}};
+  for (const RowFinding& each : found.rows) {
+    if (!each.strict) continue;
+    const auto& paper = each.row->paper;
+    const StrictFinding& strict = *each.strict;
+    const bool inside = paper && strict.at_95.Holds(paper->count);
+    lines.push_back(
+        {each.row->name, paper ? RateText(paper->count, paper->runs) : "not given",
+         RateText(strict.successes, each.runs), each.comparable() ? Range(strict.at_95) : "",
+         each.comparable()
+             ? std::string(inside ? "inside" : "outside") + ", p = " + BriefNumber(strict.p)
+             : ""});
+  }
+  return "\nstrictly: " + NamesText(found.published->strict) + " alone; it does not count\n" +
+         Table(lines);
+}
+
+/// How the paper's count lies, and what else the paper says.
+std::string FailureVerdict(const FailureFinding& each) {
+  if (!each.counts) return each.says;
+  const std::string verdict = each.comparable() ? CountVerdict(each) : "not judged";
+  return verdict + (each.says.empty() ? "" : "; " + each.says);
+}
+
 std::string FailuresText(const ReproductionFinding& found) {
   if (found.failures.empty()) return "";
-  std::vector<Line> lines{{"failures", "paper", "here", "predicted", ""}};
+  std::vector<Line> lines{{"failures", "paper", "here", "predicted", "the paper's count is"}};
   for (const FailureFinding& each : found.failures) {
     lines.push_back(
         {each.name,
          each.paper ? std::to_string(each.paper->count) + " of " + std::to_string(each.paper->runs)
                     : "",
          std::to_string(each.count) + " of " + std::to_string(each.runs),
-         each.at_95 ? Range(*each.at_95) : "", each.says});
+         each.at_95 ? Range(*each.at_95) : "", FailureVerdict(each)});
   }
   return "\n" + Table(lines);
 }
@@ -128,18 +167,15 @@ std::string MeasuresText(const ReproductionFinding& found) {
   return "\n" + Table(lines);
 }
 
-std::string CountedText(const Published& published) {
-  std::string text;
-  for (const PublishedName& name : published.counted)
-    text += (text.empty() ? "" : ", ") + name.text;
-  return text;
-}
-
 std::string NamesWhere(const ReproductionFinding& found, bool lacking) {
   std::string names;
   for (const RowFinding& each : found.rows) {
     if (!each.counts || (lacking ? each.comparable() : each.inside())) continue;
     names += (names.empty() ? "" : ", ") + each.row->name;
+  }
+  for (const FailureFinding& each : found.failures) {
+    if (!each.counts || (lacking ? each.comparable() : each.inside())) continue;
+    names += (names.empty() ? "" : ", ") + each.name;
   }
   for (const MeasureFinding& each : found.measures) {
     if (!each.measure->judged || (lacking ? each.simulated : each.inside())) continue;
@@ -148,13 +184,19 @@ std::string NamesWhere(const ReproductionFinding& found, bool lacking) {
   return names;
 }
 
+int JudgedCauses(const ReproductionFinding& found) {
+  return static_cast<int>(std::count_if(found.failures.begin(), found.failures.end(),
+                                        [](const FailureFinding& each) { return each.counts; }));
+}
+
 }  // namespace
 
 std::string VerdictText(const ReproductionFinding& found) {
   const std::string verdict = NameOf(found.verdict);
   switch (found.verdict) {
     case ReproductionVerdict::kInside:
-      return verdict + ": the paper's total, and each row and measure that counts";
+      return verdict + ": the paper's total, and each row" +
+             (JudgedCauses(found) > 0 ? ", cause" : "") + " and measure that counts";
     case ReproductionVerdict::kOutside:
       return verdict + ": " + NamesWhere(found, false);
     case ReproductionVerdict::kNotJudged:
@@ -169,7 +211,7 @@ std::string ReproductionText(const ReproductionFinding& found) {
   std::string text =
       published.name + ": " + published.source + "\n" + CountText(found.runs, "run") + ", " +
       CountText(found.replications, "replication") +
-      "; counted as successes, as the paper counts: " + CountedText(published) + "\n\n";
+      "; counted as successes, as the paper counts: " + NamesText(published.counted) + "\n\n";
   text += RowsText(found);
   text +=
       "95 % intervals of Clopper and Pearson; predicted: the paper's count at 95 %, given these "
@@ -178,7 +220,11 @@ std::string ReproductionText(const ReproductionFinding& found) {
     text += "\nthe total counts at 95 %, each of " + CountText(m, "row") + " at 1 - 0.05/" +
             std::to_string(m);
   }
-  text += "\n" + FailuresText(found) + ErrorsText(found) + MeasuresText(found);
+  const int causes = JudgedCauses(found);
+  if (causes > 0) {
+    text += ", each of " + CountText(causes, "cause") + " at 1 - 0.05/" + std::to_string(causes);
+  }
+  text += "\n" + StrictText(found) + FailuresText(found) + ErrorsText(found) + MeasuresText(found);
   return text + "\n" + VerdictText(found) + "\n";
 }
 

@@ -146,6 +146,12 @@ TEST(Axel2013, HasTheRunsOfEachPublishedRow) {
   }
   EXPECT_EQ(failures, 3 * 11);  // all, by the workspace, by the light
   EXPECT_EQ(published.judged.size(), 4u);
+  int of_a_cause = 0;
+  for (const FailureClass& failure : published.failures) {
+    EXPECT_EQ(failure.judged, failure.paper.has_value()) << failure.name;
+    if (failure.paper) of_a_cause += failure.paper->count;
+  }
+  EXPECT_EQ(of_a_cause, 5 + 2 + 1);  // V-D, V-F; the other 3 of the 11 have no count
   EXPECT_EQ(Runs(grid).front().scenario.seed, Runs(Grid()).front().scenario.seed);
 }
 

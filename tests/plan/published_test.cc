@@ -117,6 +117,27 @@ TEST_F(PublishedFile, HasRowsThatCountOutcomesOfTheirOwn) {
               testing::HasSubstr("rows[2].outcomes[0]: expected an outcome of the system"));
 }
 
+TEST_F(PublishedFile, JudgesAClassOfFailuresOnlyByAPublishedCount) {
+  const std::string before = "{name: blind, ";
+  const Published published =
+      Load(Replaced(kGood, before, before + "paper: [2, 25], judged: true, "));
+  EXPECT_TRUE(published.failures.at(0).judged);
+  EXPECT_FALSE(Load(kGood).failures.at(0).judged);
+  EXPECT_EQ(
+      Refusal(before, before + "judged: true, "),
+      "p.yaml:11:34: failures[0].judged: expected the paper's count of a class that is judged, "
+      "found 'true'");
+}
+
+TEST_F(PublishedFile, NamesTheOutcomesThatAreTrulySuccesses) {
+  const std::string counted = "counted: [docked]";
+  const Published published = Load(Replaced(kGood, counted, counted + "\nstrict: [docked]"));
+  EXPECT_EQ(published.strict.at(0).text, "docked");
+  EXPECT_TRUE(Load(kGood).strict.empty());
+  EXPECT_THAT(Refusal(counted, counted + "\nstrict: [docket]"),
+              testing::HasSubstr("strict[0]: expected an outcome of the system, found 'docket'"));
+}
+
 TEST_F(PublishedFile, MustSpeakOfWhatItsCampaignsHave) {
   EXPECT_EQ(Refusal("counted: [docked]", "counted: [docket]"),
             "p.yaml:4:11: counted[0]: expected an outcome of the system, found 'docket'; nearest "

@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const char* const kPublished = R"(reproduction: yard
 source: A paper
@@ -214,6 +215,64 @@ TEST_F(Reproduced, PutsAFailureIntoAClassByAColumnOfItsResults) {
   EXPECT_EQ(Judge().failures.at(2).count, 6);
   blind.cases = {{.outcomes = {{"misnamed", {}, ""}}, .where = {{{"sim_time_s", {}, ""}, {99.5}}}}};
   EXPECT_EQ(Judge().failures.at(2).count, 0);
+}
+
+// 4 of 80 against 5 of 40 have p = 0.272, 0 of 80 p = 0.0069 (whole numbers, Python).
+TEST_F(Reproduced, IsOutsideByACauseThatCounts) {
+  AddRegion("interior", 44, 48, "misnamed");
+  AddRegion("boundary", 22, 32, "lost");
+  published_.failures.at(1).judged = true;
+  published_.failures.at(2).judged = true;
+  const ReproductionFinding found = Judge();
+  const FailureFinding& wrong = found.failures.at(1);
+  EXPECT_EQ(wrong.confidence, 0.975);  // 1 - 0.05 / 2
+  EXPECT_NEAR(wrong.p, 0.27186543486124926, 1e-12);
+  EXPECT_TRUE(wrong.inside());
+  EXPECT_FALSE(found.failures.at(0).counts);
+  EXPECT_THAT(ReproductionText(found),
+              ContainsRegex("wrong point +5 of 40 +4 of 80 +0-7 +inside at "
+                            "97.5 %: 0-8, p = 0.27[0-9]*\n"));
+  EXPECT_THAT(ReproductionText(found), HasSubstr(", each of 2 causes at 1 - 0.05/2\n"));
+  EXPECT_THAT(ReproductionText(found), HasSubstr("each row, cause and measure that counts\n"));
+  csv_.clear();
+  run_ = 0;
+  AddRegion("interior", 44, 48, "lost");
+  AddRegion("boundary", 22, 32, "lost");
+  EXPECT_NEAR(Judge().failures.at(1).p, 0.006905392197790864, 1e-12);
+  EXPECT_EQ(VerdictText(Judge()), "outside: wrong point");
+  const Json json = ReproductionJson(Judge());
+  EXPECT_EQ(json.at("failures").at(1).at("inside"), false);
+  EXPECT_EQ(json.at("failures").at(0).at("judged"), false);
+}
+
+TEST_F(Reproduced, JudgesNoCauseOfOtherRuns) {
+  AddRegion("interior", 40, 48, "lost");
+  AddRegion("boundary", 18, 32, "lost");
+  published_.failures.at(2).judged = true;
+  published_.failures.at(2).where.clear();  // 80 runs, of the paper's 2 x 24
+  EXPECT_EQ(VerdictText(Judge()), "not judged: these runs are not those of the paper: blind");
+}
+
+// Every third success is a partly seated one, which the paper counts.
+TEST_F(Reproduced, ShowsTheTrueSuccessesWithThoseOfThePaper) {
+  AddRegion("interior", 39, 48, "lost");
+  AddRegion("boundary", 18, 32, "lost");
+  EXPECT_FALSE(Judge().rows[0].strict);
+  EXPECT_THAT(ReproductionText(Judge()), Not(HasSubstr("strictly")));
+  published_.strict = {{"docked", {}, ""}};
+  const ReproductionFinding found = Judge();
+  EXPECT_EQ(found.rows[0].successes, 57);
+  ASSERT_TRUE(found.rows[0].strict);
+  EXPECT_EQ(found.rows[0].strict->successes, 38);
+  EXPECT_NEAR(found.rows[0].strict->p, 0.01507069229982165, 1e-12);
+  EXPECT_EQ(found.verdict, ReproductionVerdict::kInside);  // it does not count
+  EXPECT_THAT(ReproductionText(found),
+              ContainsRegex("strictly: docked alone; it does not count\n"));
+  EXPECT_THAT(ReproductionText(found),
+              ContainsRegex("all +29/40 \\(73 %, 56-85 %\\) +38/80 .* outside, p = 0.01"));
+  const Json row = ReproductionJson(found).at("rows").at(0);
+  EXPECT_EQ(row.at("strict_count"), 38);
+  EXPECT_TRUE(row.contains("strict_predicted95"));
 }
 
 TEST_F(Reproduced, ARowCountsTheOutcomesThatItNames) {
