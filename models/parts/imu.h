@@ -45,6 +45,9 @@ struct ImuModel {
   double accel_bias_m_s2 = 0.0;         // 1 sigma from power-on to power-on
   double accel_instability_m_s2 = 0.0;  // 1 sigma of the bias' wandering
   double instability_time_s = 100.0;    // the wandering's correlation time
+  // A frame has the readings of clock_offset_s + clock_drift_ppm * 1e-6 t before, at the time t
+  // since power-on, and never those to come: the unit's clock is behind the controller's.
+  double clock_offset_s = 0.0, clock_drift_ppm = 0.0;
   /// Without one, roll and pitch err by attitude noise and bias, and yaw by the gyros.
   std::optional<AttitudeUnit> unit{};
 };

@@ -26,6 +26,8 @@ struct MotorModel {
   int counts_per_rev = 0;                // encoder at the output shaft
   double current_noise_a = 0.0;          // 1 sigma of one reading
   double current_offset_a = 0.0;         // of each reading
+  // Each run draws, 1 sigma: what is added to the offset, and the error of the readings' scale.
+  double current_offset_sigma_a = 0.0, current_scale_share = 0.0;
   // The encoder and the servo are on the motor's side of these. 0: none.
   double backlash_rad = 0.0;      // the output's whole play
   double bend_nm_per_rad = 0.0;   // stiffness of gears and shaft; 0: rigid

@@ -32,6 +32,12 @@ void VisitMotor(Keys& keys, MotorModel& motor, Presence needed) {
               motor.gear_efficiency, Between(0.2, 1.0));
   keys.Number({"current_offset_a", "A", "of each reading"}, motor.current_offset_a,
               Between(-10.0, 10.0));
+  keys.Number(
+      {"current_offset_sigma_a", "A", "drawn for each run on top of current_offset_a, 1 sigma"},
+      motor.current_offset_sigma_a, NonNegative(10.0));
+  keys.Number(
+      {"current_scale_share", "", "error of a reading's scale, drawn for each run, 1 sigma"},
+      motor.current_scale_share, NonNegative(0.5));
   keys.Degrees({"backlash_deg", "deg", "the output's whole play"}, motor.backlash_rad,
                NonNegative(30.0));
   keys.Number({"bend_nm_per_rad", "N m/rad", "stiffness of gears and shaft; 0: rigid"},

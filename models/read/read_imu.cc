@@ -104,6 +104,10 @@ void VisitImu(Keys& keys, ImuModel& imu) {
               imu.accel_instability_m_s2, NonNegative(10.0));
   keys.Number(needs("instability_time_s", "s", "correlation time of the wandering"),
               imu.instability_time_s, Between(1.0, 1e5));
+  keys.Number({"clock_offset_s", "s", "by which a frame's readings are old at power-on"},
+              imu.clock_offset_s, NonNegative(0.5));
+  keys.Number({"clock_drift_ppm", "ppm", "by which they grow older, of the time since"},
+              imu.clock_drift_ppm, Between(-1000.0, 1000.0));
 }
 
 }  // namespace dockyard

@@ -39,8 +39,15 @@ SensorSuite::SensorSuite(const ImuModel& imu, std::vector<MotorModel> motors, Ti
     : imu_(imu),
       motors_(std::move(motors)),
       control_period_(control_period),
+      imu_clock_(imu),
       imu_stream_(StreamKey(run_seed, "imu")),
       current_stream_(StreamKey(run_seed, "current")) {
+  RandomStream errors(StreamKey(run_seed, "current errors"));
+  for (const MotorModel& motor : motors_) {
+    const double offset_a = motor.current_offset_sigma_a * errors.Normal();
+    current_errors_.push_back({.offset_a = motor.current_offset_a + offset_a,
+                               .scale = 1.0 + motor.current_scale_share * errors.Normal()});
+  }
   bias_.roll_rad = imu.attitude_bias_rad * imu_stream_.Normal();
   bias_.pitch_rad = imu.attitude_bias_rad * imu_stream_.Normal();
   bias_.rate_R = NormalVector(imu_stream_, imu.gyro_bias_rad_s);
@@ -118,24 +125,31 @@ ImuSample SensorSuite::Filter(const TrueImu& truth, bool first, double since_s) 
   return filtered_;
 }
 
+MotorReading SensorSuite::ReadMotor(std::size_t motor, const MotorTruth& truth) {
+  const MotorModel& model = motors_[motor];
+  const CurrentError& error = current_errors_[motor];
+  const double noise_a = model.current_noise_a * current_stream_.Normal();
+  const double read_rad = truth.angle_rad + truth.lead_rad + model.homing_error_rad;
+  return {Counts(read_rad, model.counts_per_rev),
+          std::max(0.0, error.scale * truth.current_a + error.offset_a + noise_a)};
+}
+
 SensorFrame SensorSuite::Read(Tick tick, const std::vector<MotorTruth>& motors,
                               const TrueImu& true_imu) {
   const bool first = !std::exchange(started_, true);
+  if (first) first_tick_ = tick;
   // The first reading averages over one control period, as all do in a run.
   const Tick since = first ? control_period_ : tick - last_tick_;
   const double since_s = static_cast<double>(since) * kTickSeconds;
   last_tick_ = tick;
 
+  const TrueImu then =
+      imu_clock_.Pass(true_imu, static_cast<double>(tick - first_tick_) * kTickSeconds);
   SensorFrame frame;
   frame.tick = tick;
-  frame.imu =
-      imu_.unit ? Filter(true_imu, first, since_s) : Disturb(true_imu.sample, first, since_s);
+  frame.imu = imu_.unit ? Filter(then, first, since_s) : Disturb(then.sample, first, since_s);
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const double noise_a = motors_[i].current_noise_a * current_stream_.Normal();
-    const double read_rad = motors[i].angle_rad + motors[i].lead_rad + motors_[i].homing_error_rad;
-    frame.motors.push_back(
-        {Counts(read_rad, motors_[i].counts_per_rev),
-         std::max(0.0, motors[i].current_a + motors_[i].current_offset_a + noise_a)});
+    frame.motors.push_back(ReadMotor(i, motors[i]));
   }
   return frame;
 }
