@@ -31,7 +31,7 @@ void CameraRequests::Read(const SensorFrame& sensed) {
     const auto found = std::find(cameras_.begin(), cameras_.end(), image.camera);
     if (found == cameras_.end()) continue;
     ImageRequest& request = requests_[static_cast<std::size_t>(found - cameras_.begin())];
-    if (request.asked && image.exposed >= *request.asked) request = {};
+    if (Answers(request, image.exposed)) request = {};
   }
 }
 

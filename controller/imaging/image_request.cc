@@ -21,8 +21,12 @@ void Ask(const std::vector<int>& cameras, Tick now, ImageRequest* request, Comma
   ++request->asks;
 }
 
+bool Answers(const ImageRequest& request, Tick exposed) {
+  return request.asked && exposed >= *request.asked - kMostStampError;
+}
+
 bool IsAnswered(const ImageRequest& request, const SensorFrame& sensed) {
-  return request.asked && !sensed.images.empty() && sensed.images.front().exposed >= *request.asked;
+  return !sensed.images.empty() && Answers(request, sensed.images.front().exposed);
 }
 
 }  // namespace dockyard

@@ -8,6 +8,9 @@
 
 namespace dockyard {
 
+/// By which an image's stamp may be off the controller's clock. Assumed, 20-100 ms.
+inline constexpr Tick kMostStampError = 50;
+
 /// How long an answer is awaited, and how often cameras are asked for one.
 struct ImagePatience {
   Tick wait = 0;         // then they are asked again; > 0
@@ -33,7 +36,9 @@ RequestState StateOf(const ImageRequest& request, const ImagePatience& patience,
 
 void Ask(const std::vector<int>& cameras, Tick now, ImageRequest* request, Commands* commands);
 
-/// Whether the frame brings images that were exposed since the last ask.
+/// Whether an image with that stamp was exposed since the last ask, as far as its clock is right.
+bool Answers(const ImageRequest& request, Tick exposed);
+/// Whether the frame's first image does.
 bool IsAnswered(const ImageRequest& request, const SensorFrame& sensed);
 
 }  // namespace dockyard

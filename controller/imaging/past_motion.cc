@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "controller/base/check.h"
+#include "controller/imaging/image_request.h"
 
 namespace dockyard {
 
@@ -14,7 +15,8 @@ void PastMotion::Add(const PastMoment& moment) {
 }
 
 bool PastMotion::Holds(Tick tick) const {
-  return !moments_.empty() && moments_.front().tick <= tick && tick <= moments_.back().tick;
+  return !moments_.empty() && moments_.front().tick <= tick &&
+         tick <= moments_.back().tick + kMostStampError;
 }
 
 const PastMoment& PastMotion::Nearest(Tick tick) const {

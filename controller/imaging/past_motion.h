@@ -21,7 +21,8 @@ class PastMotion {
   /// Later than those before.
   void Add(const PastMoment& moment);
   void Clear() { moments_.clear(); }
-  /// Whether it has moments from before and after that time, or of it.
+  /// Whether it has moments from before and after that time, or of it. A stamp may be ahead of the
+  /// last moment by what clocks differ (kMostStampError); the last one is the nearest then.
   bool Holds(Tick tick) const;
   /// There must be one.
   const PastMoment& Nearest(Tick tick) const;

@@ -24,14 +24,21 @@ ImageLink::ImageLink(const CameraFaults& faults, const Seed& run_seed,
                      std::vector<CameraTimes> times)
     : delay_(std::llround(faults.delay_s / kTickSeconds)),
       lost_(faults.lost),
+      clock_offset_s_(faults.clock_offset_s),
+      clock_drift_ppm_(faults.clock_drift_ppm),
       random_(StreamKey(run_seed, "lost images")),
       times_(std::move(times)) {}
+
+Tick ImageLink::StampOf(Tick now) const {
+  const double gained = 1e-6 * clock_drift_ppm_ * static_cast<double>(now);
+  return now + std::llround(clock_offset_s_ / kTickSeconds + gained);
+}
 
 bool ImageLink::Send(std::vector<CameraImage> images, Tick now) {
   if (times_.empty()) on_the_way_.clear();
   if (random_.Uniform() < lost_) return false;
   for (CameraImage& image : images) {
-    image.exposed = now;
+    image.exposed = StampOf(now);
     const Tick latency =
         times_.empty() ? 0 : times_[static_cast<std::size_t>(image.camera)].latency;
     on_the_way_.push_back({std::move(image), now + delay_ + latency});

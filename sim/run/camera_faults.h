@@ -37,8 +37,8 @@ class ImageLink {
  public:
   ImageLink(const CameraFaults& faults, const Seed& run_seed, std::vector<CameraTimes> times = {});
 
-  /// Pictures exposed now, as they are told from here on. False: they are lost. One draw for each
-  /// call.
+  /// Images exposed now, which get their stamp here by the cameras' clock. False: they are lost.
+  /// One draw for each call.
   bool Send(std::vector<CameraImage> images, Tick now);
   /// What has arrived by now, once; empty: nothing.
   std::vector<CameraImage> Receive(Tick now);
@@ -48,8 +48,12 @@ class ImageLink {
     CameraImage image;
     Tick due = 0;
   };
+  /// The tick of this moment by the cameras' clock.
+  Tick StampOf(Tick now) const;
+
   Tick delay_ = 0;
   double lost_ = 0.0;
+  double clock_offset_s_ = 0.0, clock_drift_ppm_ = 0.0;
   RandomStream random_;
   std::vector<CameraTimes> times_;
   std::vector<OnTheWay> on_the_way_;

@@ -33,6 +33,11 @@ void VisitFaults(Keys& keys, CameraFaults& faults) {
               NonNegative(10.0));
   keys.Number({"lost", "", "probability that the pictures asked for are lost"}, faults.lost,
               NonNegative(1.0));
+  keys.Number(
+      {"clock_offset_s", "s", "by which the images' stamps are ahead of the controller's clock"},
+      faults.clock_offset_s, Between(-0.5, 0.5));
+  keys.Number({"clock_drift_ppm", "ppm", "by which that grows, of the time since power-on"},
+              faults.clock_drift_ppm, Between(-1000.0, 1000.0));
   keys.Number({"pupil_m", "m", "diameter of the lens's pupil, for what lies on the window"},
               faults.pupil_m, Between(1e-4, 5e-3));
   keys.Number({"window_m", "m", "from the pupil to the window with cover and dust"},

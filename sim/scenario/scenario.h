@@ -100,6 +100,8 @@ struct EyeFaults {
 struct CameraFaults {
   double delay_s = 0.0;  // from a picture's exposure to its arrival
   double lost = 0.0;     // probability that what was asked for never arrives
+  // Ahead of the controller's clock: at power-on, and the share that it gains [1e-6].
+  double clock_offset_s = 0.0, clock_drift_ppm = 0.0;
   // The pupil of the rovers' hazard cameras: 5.58 mm at f/15 (Maki et al., JGR 108, 2003; MER).
   // Range 0.3-1.2 mm; the Navcams' is 1.22 mm (14.67 mm at f/12).
   double pupil_m = 0.37e-3;

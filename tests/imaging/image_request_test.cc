@@ -65,8 +65,18 @@ TEST(ImageRequest, IsAnsweredByNothingWhileNoneIsAwaited) {
   frame.images.push_back({0, GrayImage{}, 40});
   EXPECT_FALSE(IsAnswered({}, frame));
   EXPECT_TRUE(IsAnswered({.asked = 40, .asks = 1}, frame));
-  EXPECT_FALSE(IsAnswered({.asked = 60, .asks = 1}, frame));
+  EXPECT_FALSE(IsAnswered({.asked = 41 + kMostStampError, .asks = 1}, frame));
   EXPECT_FALSE(IsAnswered({.asked = 40, .asks = 1}, {.tick = 60}));
+}
+
+// A camera whose clock is behind the controller's stamps the answer with a time before the ask.
+TEST(ImageRequest, IsAnsweredByAStampOfAClockThatIsBehind) {
+  const ImageRequest request{.asked = 1000, .asks = 1};
+  for (const Tick behind : {0, 20, 25, 50}) {
+    EXPECT_TRUE(Answers(request, 1000 - behind)) << behind;
+  }
+  EXPECT_FALSE(Answers(request, 949));
+  EXPECT_FALSE(Answers({}, 1000));
 }
 
 }  // namespace

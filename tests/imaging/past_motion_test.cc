@@ -23,7 +23,10 @@ TEST(PastMotion, ForgetsWhatIsOlderThanItKeeps) {
   EXPECT_FALSE(past.Holds(399));
   EXPECT_TRUE(past.Holds(400));
   EXPECT_TRUE(past.Holds(477));
-  EXPECT_FALSE(past.Holds(501));
+  EXPECT_TRUE(past.Holds(501));  // by a camera whose clock is ahead
+  EXPECT_TRUE(past.Holds(550));
+  EXPECT_FALSE(past.Holds(551));
+  EXPECT_EQ(past.Nearest(520).tick, 500);
   EXPECT_EQ(past.Nearest(0).tick, 400);
   past.Clear();
   EXPECT_FALSE(past.Holds(450));

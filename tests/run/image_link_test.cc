@@ -61,6 +61,26 @@ TEST(ImageLink, APictureTellsWhenItWasExposed) {
   EXPECT_EQ(link.Receive(160).at(0).exposed, 40);
 }
 
+// Offset at power-on and share of the time since, to the nearest millisecond; the arrival is as it
+// was.
+TEST(ImageLink, StampsByTheCamerasClock) {
+  struct Case {
+    double offset_s, drift_ppm;
+    Tick now, stamp;
+  };
+  for (const Case& each : {Case{0.02, 0.0, 1000, 1020}, Case{-0.0123, 0.0, 1000, 988},
+                           Case{0.0, 100.0, 200'000, 200'020}, Case{0.01, -50.0, 400'000, 399'990},
+                           Case{0.0, 0.0, 123'456, 123'456}, Case{-0.02, 0.0, 0, -20}}) {
+    CameraFaults faults = Late(0.1);
+    faults.clock_offset_s = each.offset_s;
+    faults.clock_drift_ppm = each.drift_ppm;
+    ImageLink link(faults, 1);
+    link.Send({{0, GrayImage{1, 1, {7}}}}, each.now);
+    EXPECT_TRUE(link.Receive(each.now + 99).empty());
+    EXPECT_EQ(link.Receive(each.now + 100).at(0).exposed, each.stamp) << each.now;
+  }
+}
+
 TEST(ImageLink, CamerasAskedAgainBeginAnew) {
   ImageLink link(Late(0.1), 1);
   link.Send(Picture(1), 0);
