@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "controller/axel/nominal/motors.h"
@@ -16,6 +17,7 @@
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 #include "models/parts/tether.h"
+#include "models/parts/tether_sensor.h"
 #include "models/parts/wheel.h"
 
 namespace dockyard::axel {
@@ -55,6 +57,7 @@ struct RoverModel {
   WheelModel left_wheel_soil, right_wheel_soil;
   std::array<MotorModel, kMotorCount> motors;  // by Motor
   TetherModel tether;
+  std::optional<TetherSensorModel> tether_sensor{};
   // Of a line of contact with rock, which has the friction. Assumed: models/axel/axel.yaml.
   ContactMaterial rock_contact{.stiffness_n_per_m = 5e5, .damping_ns_per_m = 1.3e3};
   ArmTipModel tip;

@@ -113,6 +113,14 @@ void VisitTether(Keys& keys, TetherModel& tether) {
               keys.Limits(NonNegative(0.1 * tether.drum_radius_m), NonNegative(0.05)));
 }
 
+void VisitTetherSensor(Keys& keys, TetherSensorModel& sensor) {
+  keys.Number(Optional("tension_noise_n"), sensor.tension_noise_n, NonNegative(1e3));
+  keys.Number(Optional("tension_offset_n"), sensor.tension_offset_n, NonNegative(1e3));
+  keys.Number(Optional("tension_scale_share"), sensor.tension_scale_share, NonNegative(0.5));
+  keys.Degrees(Optional("direction_noise_deg"), sensor.direction_noise_rad, NonNegative(45.0));
+  keys.Degrees(Optional("direction_offset_deg"), sensor.direction_offset_rad, NonNegative(45.0));
+}
+
 void VisitRover(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Text("name", rover.name);
   keys.Mapping("wheels", [&](Keys& in) { VisitWheels(in, rover, file); });
@@ -121,6 +129,10 @@ void VisitRover(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Mapping(Optional("rock_contact"),
                [&](Keys& in) { VisitYield(in, rover.rock_contact, Presence::kDefault); });
   keys.Mapping("tether", [&](Keys& in) { VisitTether(in, rover.tether); });
+  keys.Mapping(Unset("tether_sensor"), [&](Keys& in) {
+    VisitTetherSensor(in,
+                      rover.tether_sensor ? *rover.tether_sensor : rover.tether_sensor.emplace());
+  });
   keys.Mapping("imu", [&](Keys& in) { VisitImu(in, rover.imu); });
   VisitStereo(keys, "cameras", file.cameras);
   keys.File("urdf", file.urdf);

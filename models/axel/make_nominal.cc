@@ -50,6 +50,10 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.anchor_depth_m = station.anchor_depth_m;
   nominal.throat_depth_m = station.cone.funnel_length_m;
   nominal.seat_depth_m = SeatDepth(station.cone);
+  if (rover.tether_sensor) {
+    nominal.tether_sensor = {rover.tether_sensor->tension_noise_n,
+                             rover.tether_sensor->direction_noise_rad};
+  }
   return nominal;
 }
 

@@ -34,6 +34,9 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
       sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
       scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
              SiteInWorld(built_.world.X_WG, built_.world.slope), seed_) {
+  if (built_.world.rover.tether_sensor) {
+    tether_sensing_.emplace(*built_.world.rover.tether_sensor, seed_);
+  }
   scene_.AddRocks(built_.world.rocks);
   const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
   for (const Eigen::Vector3f& p : RockMesh(built_.world.rocks).vertices) {
@@ -44,7 +47,9 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
 
 SensorFrame AxelPlant::Sense() {
   RefreshTruth();
-  return sensors_.Read(world_.tick(), Motors(truth_), world_.TakeTrueImu());
+  SensorFrame frame = sensors_.Read(world_.tick(), Motors(truth_), world_.TakeTrueImu());
+  if (tether_sensing_) frame.values = tether_sensing_->Read(truth_);
+  return frame;
 }
 
 std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,

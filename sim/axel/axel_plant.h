@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "controller/geometry/axle_attitude.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
+#include "sim/axel/tether_sensor.h"
 #include "sim/axel/world.h"
 #include "sim/drives/sensor_suite.h"
 #include "sim/run/world_plant.h"
@@ -35,6 +37,7 @@ class AxelPlant final : public WorldPlant<World, BuiltRun> {
 
   CameraFaults camera_faults_;
   SensorSuite sensors_;
+  std::optional<TetherSensing> tether_sensing_;  // where the robot has one
   SceneBuilder scene_;
   std::vector<Eigen::Vector3d> rock_corners_W_;
   int pairs_taken_ = 0;

@@ -16,6 +16,7 @@
 #include "sim/axel/load_models.h"
 #include "sim/axel/nominal_json.h"
 #include "sim/axel/read_script.h"
+#include "sim/axel/tether_sensor.h"
 #include "sim/axel/view_start.h"
 #include "sim/plant/built_cameras.h"
 #include "sim/plant/light.h"
@@ -37,6 +38,7 @@ ReadyRun PartsOf(const Nominal& nominal) {
   }
   ready.cameras = {{"left", nominal.rig.left, nominal.rig.X_RL},
                    {"right", nominal.rig.right, nominal.rig.X_RQ}};
+  if (nominal.tether_sensor) ready.sensors = SensorsOf(*nominal.tether_sensor);
   return ready;
 }
 

@@ -37,6 +37,10 @@ void CheckAsBuilt(const Scenario& scenario) {
     RefuseKey(built, "as_built", std::string("robot.wheels.") + phase,
               "none; how the wheels stand is drawn for each run");
   }
+  for (const char* noise : {"tension_noise_n", "direction_noise_deg"}) {
+    RefuseKey(built, "as_built", std::string("robot.tether_sensor.") + noise,
+              "none; the noise is the nominal one");
+  }
   RefuseKey(built, "as_built", "robot.arm.at_power_on_deg",
             "none; the arm lies on the ground at power-on");
   if (scenario.camera_file.empty()) return;
@@ -134,6 +138,10 @@ AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   models.nominal = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
   models.built =
       LoadSet(scenario, models.keys, changes, scenario.as_built, &models.nominal, meshes);
+  if (models.built.rover.tether_sensor && !models.nominal.rover.tether_sensor) {
+    RefuseKey(scenario.as_built, "as_built", "robot.tether_sensor",
+              "none; the robot has no such sensor");
+  }
   const std::size_t marks = models.nominal.station.board.fiducials.size();
   if (models.built.station.board.fiducials.size() != marks) {
     RefuseKey(scenario.as_built, "as_built", "station.board",

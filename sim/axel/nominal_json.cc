@@ -65,6 +65,12 @@ void VisitTsai2013(Vision& vision, Options& options, const Visit& visit) {
   visit("look_pitch_rad", options.look_pitch_rad);
 }
 
+template <Of<TetherSensor> S, class Visit>
+void VisitMembers(S& sensor, const Visit& visit) {
+  visit("tension_noise_n", sensor.tension_noise_n);
+  visit("direction_noise_rad", sensor.direction_noise_rad);
+}
+
 template <Of<Nominal> N, class Visit>
 void VisitMembers(N& n, const Visit& visit) {
   visit("left_camera", n.rig.left);
@@ -102,6 +108,7 @@ void VisitMembers(N& n, const Visit& visit) {
   visit("throat_depth_m", n.throat_depth_m);
   visit("seat_depth_m", n.seat_depth_m);
   visit("mating_depth_m", n.mating_depth_m);
+  visit("tether_sensor", n.tether_sensor);
   if (visit.Has("tsai2013", true)) {  // logs of earlier versions have none
     visit.Within("tsai2013",
                  [&](const auto& in) { VisitTsai2013(n.vision.tsai2013, n.tsai2013, in); });

@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "controller/axel/nominal/motors.h"
 #include "controller/axel/nominal/rock_map.h"
+#include "controller/axel/nominal/tether_sensor.h"
 #include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
@@ -41,7 +43,8 @@ struct Nominal {
   double throat_depth_m = 0.0;   // of the cone's throat behind the mouth plane
   double seat_depth_m = 0.0;     // of the socket's floor, on which the tip is seated
   double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
-  RockMap rock_map{};            // of a survey; none by default
+  std::optional<TetherSensor> tether_sensor{};  // of a rover that has one
+  RockMap rock_map{};                           // of a survey; none by default
   // The mission: the rover starts seated, and first goes this far out by its axle. 0: it starts
   // outside, and only docks.
   double excursion_m = 0.0;
