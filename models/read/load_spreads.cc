@@ -72,6 +72,7 @@ std::vector<NumberSpread> ReadSpreads(const YamlNode& root) {
                       "spreads, found " + all->Found());
   }
   for (std::size_t i = 0; i < all->keys.size(); ++i) {
+    if (all->items[i].kind == YamlNode::Kind::kNull) continue;  // takes that of a base away
     NumberSpread spread;
     spread.key = all->keys[i];
     const std::string path = "spreads." + spread.key.name;

@@ -89,6 +89,24 @@ TEST(CoaxialMass, IsOnTheAxleButForHeadsAndArm) {
   EXPECT_NEAR(nose_down_nm, 11.4, 0.05);
 }
 
+TEST(AxelField, HasTheSensesOfItsFileOnAxelsBody) {
+  const RoverModel field = LoadRover(SourceFile("models/axel/axel_field.yaml")), axel = Axel();
+  EXPECT_EQ(field.mass_kg(), axel.mass_kg());
+  ASSERT_TRUE(field.imu.unit);
+  EXPECT_EQ(field.imu.unit->filter, AttitudeFilter::kMahony);
+  EXPECT_EQ(field.imu.clock_offset_s, 0.01);
+  const std::size_t arm = static_cast<std::size_t>(Motor::kArm);
+  EXPECT_DOUBLE_EQ(field.motors[arm].backlash_rad, Radians(0.3));
+  EXPECT_EQ(field.motors[arm].bend_nm_per_rad, 5000.0);
+  EXPECT_EQ(field.motors[arm].torque_per_amp_nm, axel.motors[arm].torque_per_amp_nm);
+  EXPECT_EQ(field.motors[0].current_scale_share, 0.02);
+  ASSERT_TRUE(field.tether_sensor);
+  EXPECT_DOUBLE_EQ(field.tether_sensor->direction_offset_rad, Radians(1.0));
+  EXPECT_FALSE(axel.tether_sensor);
+  EXPECT_FALSE(axel.imu.unit);
+  EXPECT_EQ(axel.motors[arm].backlash_rad, 0.0);
+}
+
 TEST(AxelMass, ArmIsAUniformRod) {
   const Eigen::Vector3d along_y = Cylinder(4, 0.0225, 1.0);
   ExpectComposed(Axel().arm, {{4, {0.5, 0, 0}, {along_y.y(), along_y.x(), along_y.z()}}});

@@ -8,6 +8,7 @@
 
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/load_soil.h"
 #include "models/read/yaml_reader.h"
 #include "support/bad_files.h"
@@ -43,7 +44,7 @@ struct Count {
 
 Count ExpectEndsLoad(const std::string& file, const Load& load) {
   Count count;
-  for (const NumberSpread& spread : ReadSpreads(LoadYaml(SourceFile(file)))) {
+  for (const NumberSpread& spread : ReadSpreads(LoadModelYaml(SourceFile(file)))) {
     if (spread.assumed) {
       ++count.assumed;
       for (const std::string& value : Values(*spread.assumed)) {
@@ -69,6 +70,23 @@ TEST(Spreads, AxelLoadsAtTheEndsOfEach) {
       file, [&](const ModelChanges& c) { LoadRover(SourceFile(file), 0, 0, c, &meshes); });
   EXPECT_GT(count.assumed, 50);
   EXPECT_GT(count.tolerance, 40);
+}
+
+// The filter of axel_field.yaml has no attitude errors of its own, so that their spreads go.
+TEST(Spreads, AxelFieldLoadsAtTheEndsOfEachAndTakesAwayTwoOfItsBase) {
+  const std::string file = "models/axel/axel_field.yaml";
+  MeshStore meshes;
+  const Count count = ExpectEndsLoad(
+      file, [&](const ModelChanges& c) { LoadRover(SourceFile(file), 0, 0, c, &meshes); });
+  EXPECT_GT(count.assumed, 70);
+  std::vector<std::string> keys;
+  for (const NumberSpread& spread : ReadSpreads(LoadModelYaml(SourceFile(file)))) {
+    keys.push_back(spread.key.name);
+  }
+  EXPECT_THAT(keys, testing::Contains("imu.accel_bias_m_s2"));
+  EXPECT_THAT(keys, testing::Contains("tether_sensor.tension_offset_n"));
+  EXPECT_THAT(keys, testing::Not(testing::Contains("imu.attitude_noise_deg")));
+  EXPECT_THAT(keys, testing::Not(testing::Contains("imu.attitude_bias_deg")));
 }
 
 TEST(Spreads, StationLoadsAtTheEndsOfEach) {
