@@ -172,12 +172,17 @@ TEST(MotorFile, PlayBendHomingAndOffsetAreOptionalAndZeroUnlessGiven) {
   EXPECT_EQ(none.bend_nm_per_rad, 0.0);
   EXPECT_EQ(none.homing_error_rad, 0.0);
   EXPECT_EQ(none.current_offset_a, 0.0);
+  EXPECT_EQ(none.current_offset_sigma_a, 0.0);
+  EXPECT_EQ(none.current_scale_share, 0.0);
   const MotorModel all = load(
-      "backlash_deg: 0.5\nbend_nm_per_rad: 300\nhoming_error_deg: -1\ncurrent_offset_a: 0.1\n");
+      "backlash_deg: 0.5\nbend_nm_per_rad: 300\nhoming_error_deg: -1\ncurrent_offset_a: 0.1\n"
+      "current_offset_sigma_a: 0.02\ncurrent_scale_share: 0.03\n");
   EXPECT_DOUBLE_EQ(all.backlash_rad, Radians(0.5));
   EXPECT_EQ(all.bend_nm_per_rad, 300.0);
   EXPECT_DOUBLE_EQ(all.homing_error_rad, Radians(-1.0));
   EXPECT_EQ(all.current_offset_a, 0.1);
+  EXPECT_EQ(all.current_offset_sigma_a, 0.02);
+  EXPECT_EQ(all.current_scale_share, 0.03);
   EXPECT_THAT(MessageOf([&] { load("backlash_deg: -1\n"); }, folder),
               HasSubstr("motor.yaml:11:15: motor.backlash_deg: expected a number >= 0"));
 }
