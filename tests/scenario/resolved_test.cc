@@ -28,6 +28,8 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"camera.stray.ghosts", "0.0003"},
       {"camera.delay_s", "0.35"},
       {"camera.lost", "0.2"},
+      {"camera.clock_offset_s", "-0.02"},
+      {"camera.clock_drift_ppm", "50"},
       {"camera.pupil_m", "0.001"},
       {"camera.window_m", "0.03"},
       {"camera.left.picture", "dark"},
@@ -124,10 +126,10 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   for (const KeyRow& row : ScenarioRows()) known.push_back(row.key);
   for (const auto& [key, value] : OtherValues()) here.push_back(key);
   here.insert(here.begin() + 1, "system");
-  here.insert(here.begin() + 28, "controller.command");
-  here.insert(here.begin() + 29, "controller.folder");
-  here.insert(here.begin() + 30, "controller.files");
-  here.insert(here.begin() + 31, "controller.seed");
+  here.insert(here.begin() + 30, "controller.command");
+  here.insert(here.begin() + 31, "controller.folder");
+  here.insert(here.begin() + 32, "controller.files");
+  here.insert(here.begin() + 33, "controller.seed");
   // Instead of the sun's angles: SunKeys.
   const auto yard = std::find(here.begin(), here.end(), "yard.length_m");
   here.insert(here.insert(yard, "sun.hour"), "sun.date");
