@@ -99,7 +99,7 @@ TEST_F(UnderWay, AnswersOfEarlierQuestionsAreNotTaken) {
   EXPECT_FALSE(AnswerOf(senses_.now()));  // none was asked for
   Drive(250);
   ASSERT_TRUE(Asks());
-  EXPECT_FALSE(AnswerOf(senses_.now() - kControlPeriod));
+  EXPECT_FALSE(AnswerOf(senses_.now() - kMostStampError - kControlPeriod));
   Step(1e-3, 0.0);
   looks_.Begin(senses_.now());
   EXPECT_FALSE(AnswerOf(senses_.now()));  // of the leg before

@@ -163,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
               SpoolsCurrent,
               7.0},
         Fault{"wheel_on_rock", {"axel.start.rock_m=0.08"}, RollAtTheStart, 3.0},
-        Fault{"yaw_drift", {"as_built.robot.imu.gyro_bias_deg_per_h.times=10"}, YawRateAtRest, 1.0},
+        Fault{
+            "yaw_drift", {"as_built.robot.imu.gyro_bias_deg_per_h.times=10"}, YawRateAtRest, 60.0},
         Fault{"station_moved",
               {"axel.station_moved={at_s: 20, forward_m: 0.06, left_m: 0.08, turn_deg: 3}"},
               BeliefOffTheDock,
