@@ -135,10 +135,16 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   if (status == LegDriver::Status::kDigs) {
     belief_.note = "wheels dig";
     const bool back = phase_ == Phase::kBackOff || phase_ == Phase::kRecover;
-    return back ? Event::kDigs : Event::kArrived;
+    return back && RoomAhead() ? Event::kDigs : Event::kArrived;
   }
   const std::optional<Event> onward = GoesOn(status) ? driving_.PlanOnward(senses_) : std::nullopt;
   return onward.value_or(Event::kArrived);
+}
+
+// Before the mouth coming out of a hole would drive the tip onto the rim.
+bool AxelMachine::RoomAhead() const {
+  const double gap_m = TipOf(driving_.geometry(), senses_.pose()).gap_m;
+  return gap_m >= options_.dig.out_m + options_.plan.min_tip_gap_m;
 }
 
 // By the drum, as the wheels slip.

@@ -41,6 +41,7 @@ class AxelMachine final : public Controller {
   std::optional<Event> Tighten(Commands* commands);
   std::optional<Event> Look(const SensorFrame& sensed, Commands* commands);
   std::optional<Event> Drive(Commands* commands);
+  bool RoomAhead() const;
   std::optional<Event> ComeOut(Commands* commands);
   std::optional<Event> Search(Commands* commands);
   std::optional<Event> Level(double target_pitch_rad, Commands* commands);

@@ -155,6 +155,19 @@ TEST(Axel, BacksUpWhenItDoesNotGoIn) {
   EXPECT_TRUE(Docked(run));
 }
 
+// The arm is 1 m long: at 1.25 m the tip is a quarter of a metre before the mouth.
+TEST(Axel, ComesOutOfItsHoleAheadUnlessTheMouthIsNear) {
+  for (const double dug_at_m : {1.25, 1.8}) {
+    KinematicWorld world;
+    world.jam_depth_m = 0.10;
+    world.held_back_at_m = dug_at_m;
+    const KinematicRun run = RunKinematic(world, {3.0, 0.0, 0.0});
+    EXPECT_TRUE(Docked(run)) << dug_at_m << run.belief.note;
+    const bool ahead = std::find(run.phases.begin(), run.phases.end(), "out") != run.phases.end();
+    EXPECT_EQ(ahead, dug_at_m > 1.5) << dug_at_m;
+  }
+}
+
 TEST(Axel, BacksOutOfAPlaceWhereALegMadeNoWay) {
   KinematicWorld world;
   world.held_at_m = 2.4;

@@ -132,7 +132,10 @@ void KinematicRover::MoveWheels(const Commands& commands) {
   elevation_ = slack ? std::min(elevation_ + Radians(10.0) * kStep, 1.2)
                      : Approach(elevation_, Guided(), Radians(10.0) * kStep);
   const bool held = forward > 0.0 && world_.held_at_m && X_DR_.x <= *world_.held_at_m;
-  const double progress = slack || held || elevation_ > Radians(15.0) ? 0.0 : 1.0 - world_.slip;
+  const bool digs = forward < 0.0 && world_.held_back_at_m && X_DR_.x >= *world_.held_back_at_m;
+  dug_ = dug_ || digs;
+  const double progress =
+      slack || held || digs || elevation_ > Radians(15.0) ? 0.0 : 1.0 - world_.slip;
   const double turned = turn * (1.0 - world_.heading_short) * kStep;
   X_DR_ = Advance(X_DR_, Arc{forward * progress * kStep, turned});
   yaw_ += turned + world_.yaw_drift_rad_s * kStep;
@@ -272,6 +275,7 @@ KinematicRun RunKinematic(const KinematicWorld& world, const DockingCoords& star
     if (run.phases.empty() || run.phases.back() != phase) run.phases.push_back(phase);
     // The tip comes free once it has been backed out.
     if (phase == "recover") rover.Unjam();
+    if (phase == "tighten" || phase == "out") rover.ComeOff();
     rover.Step(commands);
     run.commands.push_back(commands);
     run.verdict = commands.verdict;

@@ -37,6 +37,8 @@ struct KinematicWorld {
   bool images_lost = false;           // of a moving rover
   std::optional<double> jam_depth_m;  // the tip goes no deeper than this, once
   std::optional<double> held_at_m;    // the axle comes no nearer than this, once: the wheels spin
+  // In reverse the axle comes no farther out than this, on one leg: the wheels dig.
+  std::optional<double> held_back_at_m;
   std::uint64_t seed = 1;
 };
 
@@ -57,6 +59,10 @@ class KinematicRover {
   double depth_m() const;       // tip behind the mouth plane
   double tip_offset_m() const;  // beside the cone's axis
   int sightings() const { return sightings_; }
+  /// The leg on which the wheels dug is over.
+  void ComeOff() {
+    if (dug_) world_.held_back_at_m.reset();
+  }
   void Unjam() {
     world_.jam_depth_m.reset();
     world_.held_at_m.reset();
@@ -86,7 +92,7 @@ class KinematicRover {
   double left_ = 0.0, right_ = 0.0, left_speed_ = 0.0, right_speed_ = 0.0;
   double free_m_ = 0.0, reeled_m_ = 0.0, reel_speed_ = 0.0, tension_n_ = 0.0;
   double spool_current_ = 0.0;
-  bool wheels_free_ = false, images_due_ = false;
+  bool wheels_free_ = false, images_due_ = false, dug_ = false;
   // Images are exposed in the frame after the question.
   struct Exposed {
     Tick tick = 0;
