@@ -13,6 +13,15 @@
 #include "controller/motion/limits.h"
 
 namespace dockyard::axel {
+namespace {
+
+// Before the mouth coming out of a hole would drive the tip onto the rim.
+bool RoomAhead(const PlanGeometry& geometry, const AxelOptions& options, const Senses& senses) {
+  const double gap_m = TipOf(geometry, senses.pose()).gap_m;
+  return gap_m >= options.dig.out_m + options.plan.min_tip_gap_m;
+}
+
+}  // namespace
 
 AxelMachine::AxelMachine(const Nominal& nominal, const AxelOptions& options, Locator locator)
     : nominal_(nominal),
@@ -135,16 +144,11 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   if (status == LegDriver::Status::kDigs) {
     belief_.note = "wheels dig";
     const bool back = phase_ == Phase::kBackOff || phase_ == Phase::kRecover;
-    return back && RoomAhead() ? Event::kDigs : Event::kArrived;
+    return back && RoomAhead(driving_.geometry(), options_, senses_) ? Event::kDigs
+                                                                     : Event::kArrived;
   }
   const std::optional<Event> onward = GoesOn(status) ? driving_.PlanOnward(senses_) : std::nullopt;
   return onward.value_or(Event::kArrived);
-}
-
-// Before the mouth coming out of a hole would drive the tip onto the rim.
-bool AxelMachine::RoomAhead() const {
-  const double gap_m = TipOf(driving_.geometry(), senses_.pose()).gap_m;
-  return gap_m >= options_.dig.out_m + options_.plan.min_tip_gap_m;
 }
 
 // By the drum, as the wheels slip.

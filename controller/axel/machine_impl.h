@@ -41,7 +41,6 @@ class AxelMachine final : public Controller {
   std::optional<Event> Tighten(Commands* commands);
   std::optional<Event> Look(const SensorFrame& sensed, Commands* commands);
   std::optional<Event> Drive(Commands* commands);
-  bool RoomAhead() const;
   std::optional<Event> ComeOut(Commands* commands);
   std::optional<Event> Search(Commands* commands);
   std::optional<Event> Level(double target_pitch_rad, Commands* commands);
@@ -54,8 +53,6 @@ class AxelMachine final : public Controller {
 
   Locator Located();
   void Tell(const SightingReport& sighting);
-  /// The newest sighting is none that the estimate took.
-  void RuleOut(const std::string& why);
   void LookUnderWay(const SensorFrame& sensed, Commands* commands);
   bool GoesOn(LegDriver::Status status) const;
   SearchKnowledge Known() const;

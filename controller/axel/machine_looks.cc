@@ -67,17 +67,12 @@ void AxelMachine::Tell(const SightingReport& sighting) {
   belief_.last_sighting = sighting;
 }
 
-void AxelMachine::RuleOut(const std::string& why) {
-  belief_.last_sighting->accepted = false;
-  belief_.last_sighting->reason = why;
-}
-
 std::optional<Event> AxelMachine::Judge(const LocateOutput& seen) {
   auto ruling = SightingJudge::Ruling::kRejected;
   if (seen.sighting) {
     ruling = judge_.Judge(*seen.sighting, &senses_);
     belief_.note = judge_.why();
-    if (ruling != SightingJudge::Ruling::kAccepted) RuleOut(judge_.why());
+    if (ruling != SightingJudge::Ruling::kAccepted) RuleOut(judge_.why(), &belief_);
   } else {
     belief_.note = std::string("not located: ") + seen.report.reason;
   }

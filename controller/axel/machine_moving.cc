@@ -20,7 +20,7 @@ void AxelMachine::LookUnderWay(const SensorFrame& sensed, Commands* commands) {
       looks_.Accepted(*ExposedAt(sensed));
       belief_.note = "board detected on a leg";
     } else if (seen.sighting) {
-      RuleOut("contradicts dead reckoning on a leg");
+      RuleOut("contradicts dead reckoning on a leg", &belief_);
     }
   }
   const Pose2 X_DR = senses_.pose();

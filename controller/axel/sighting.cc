@@ -24,6 +24,11 @@ double AttitudeSigma(const DockSighting& sighting) {
 
 }  // namespace
 
+void RuleOut(const std::string& why, Belief* belief) {
+  belief->last_sighting->accepted = false;
+  belief->last_sighting->reason = why;
+}
+
 LocateHints HintsFrom(const Senses& senses) {
   LocateHints hints;
   hints.up_R = UpOfStation(senses.attitude(), !senses.ground().level());

@@ -6,6 +6,7 @@
 
 #include "controller/axel/axel.h"
 #include "controller/axel/senses.h"
+#include "controller/io/belief.h"
 
 namespace dockyard::axel {
 
@@ -52,6 +53,9 @@ class CameraTurnFilter {
  private:
   CameraTurn belief_{};
 };
+
+/// The belief's newest sighting is none that the estimate took.
+void RuleOut(const std::string& why, Belief* belief);
 
 /// Images in, the board out.
 struct Perception {
