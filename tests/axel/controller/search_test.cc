@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "axel/controller/kinematic_rover.h"
+#include "controller/axel/board_search.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -44,6 +49,15 @@ TEST(Search, LetsTheTetherTurnItWhileTheTetherIsAbeam) {
   const SearchKnowledge abeam{
       .expected_bearing_rad = 1.2, .tip_gap_m = 2.0, .tether_rad = Radians(80.0)};
   EXPECT_EQ(NextSearchAction(0, abeam, kOptions)->move, SearchMove::kReel);
+}
+
+// It tipped over with the tether at 95 to 104 deg against the arm.
+TEST(BoardSearch, ARoverThatFoundTheBoardDrivesUnlessTheTetherWouldTipItOver) {
+  for (const double tether_deg : {-100.0, -80.0, 50.0, 90.0, 100.0}) {
+    BoardSearch search(TestNominal(), AxelOptions{});
+    const SearchKnowledge known{.tip_gap_m = 2.0, .tether_rad = Radians(tether_deg)};
+    EXPECT_EQ(search.PullsFirst(known), std::abs(tether_deg) > 95.0) << tether_deg;
+  }
 }
 
 }  // namespace
