@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axel/controller/kinematic_rover.h"
+#include "controller/axel/seat_check.h"
 #include "controller/axel/station_hold.h"
 
 namespace dockyard::axel {
@@ -279,6 +280,47 @@ TEST_F(Wiggle, SpoolPullsGentlyFirstThenAsHardAsItCan) {
   EXPECT_NEAR(tension_n(sent.back()), options_.tether.reel_tension_n, 1e-9);
   for (std::size_t i = 1; i < sent.size(); ++i)
     EXPECT_GE(tension_n(sent[i]), tension_n(sent[i - 1]));
+}
+
+/// Whether the wheels turn a rover whose image shows its tip so deep, with its arm 3 deg aside.
+bool TurnsInItsSeat(double depth_m) {
+  const Nominal nominal = TestNominal();
+  const AxelOptions options{};
+  Senses senses(nominal, options);
+  SightingJudge judge(LookOptions{}, nominal.X_DB);
+  SeatCheck check(nominal, options);
+  const double heading = kPi - Radians(3.0), arm_m = nominal.arm_length_m;
+  const Pose2 X_DR{-depth_m - arm_m * std::cos(heading), -arm_m * std::sin(heading), heading};
+  const Locator locate = [&](const StereoImages&, const LocateHints&) {
+    LocateOutput out{PoseFailure::kNoCorrespondence, {}};
+    out.sighting = DockSighting{Inverse(FromGround(X_DR, nominal.wheel_radius_m)) * nominal.X_DB,
+                                1.0, 14, true};
+    return out;
+  };
+  check.Begin();
+  SensorFrame frame = StillFrame();
+  frame.imu.specific_force_R.z() = 9.81;
+  bool asked = false, turns = false, over = false;
+  for (Tick tick = 0; tick < 60'000 && !over; tick += kControlPeriod) {
+    frame.tick = tick;
+    frame.images.clear();
+    const GrayImage gray{2, 1, {7, 9}};
+    if (asked) frame.images = {{kLeftCamera, gray, tick}, {kRightCamera, gray, tick}};
+    senses.Update(frame);
+    Commands commands = BrakedCommands();
+    over = check.Step(frame, tick, locate, &judge, &senses, &commands);
+    asked = !commands.take_images.empty();
+    turns = turns || commands.motors[0].target * commands.motors[1].target < 0.0;
+  }
+  EXPECT_TRUE(over);
+  EXPECT_TRUE(check.tip());
+  return turns;
+}
+
+TEST(SeatCheck, StraightensAnArmOnTheFloorAndNoneThatStoppedShort) {
+  const double seat_m = TestNominal().seat_depth_m;
+  EXPECT_TRUE(TurnsInItsSeat(seat_m));
+  EXPECT_FALSE(TurnsInItsSeat(seat_m - 0.04));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST_F(Sightings, TheFirstIsBelieved) {
   EXPECT_NEAR(ToDockingCoords(senses_.pose()).r, 4.0, 1e-6);
 }
 
-TEST_F(Sightings, AContradictionIsLookedAtAgain) {
+TEST_F(Sightings, AContradictionIsMeasuredAgain) {
   ASSERT_EQ(judge_.Judge(From(4, 10, 0), &senses_), Ruling::kAccepted);
   EXPECT_EQ(judge_.Judge(From(2, -20, 15), &senses_), Ruling::kLookAgain);
   EXPECT_NEAR(ToDockingCoords(senses_.pose()).r, 4.0, 1e-6);
