@@ -136,7 +136,9 @@ TEST(PoseGate, TakesCamerasTurnedByFourAndAHalfSigmaAndNoneBySix) {
     const RefinedPose fit = RefinePose(NoisyMarks(built, X_RB, random), Views(rig), kBoard, X_RB);
     const auto failure = Judge(fit, Views(rig), kLevel);
     EXPECT_EQ(failure.has_value(), std::abs(sigmas) > 5.0) << sigmas;
-    if (!failure) EXPECT_LT((fit.X_RB.p - X_RB.p).norm(), 0.03) << sigmas;
+    if (!failure) {
+      EXPECT_LT((fit.X_RB.p - X_RB.p).norm(), 0.03) << sigmas;
+    }
   }
 }
 
