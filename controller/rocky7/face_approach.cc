@@ -1,6 +1,7 @@
 #include "controller/rocky7/face_approach.h"
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "controller/base/number_text.h"
@@ -22,6 +23,14 @@ constexpr double kAimSpeed = 0.8;
 constexpr double kTips_m = 0.01;
 // A step without the target, and the least distance to it. Assumed, 0.2-0.4 and 1.2-2 m.
 constexpr double kBlindStep_m = 0.3, kBlindBeyond_m = 1.5;
+
+// An image pair from the same place shows the same target, and near by perhaps the mast's own
+// shadow on it. So after each miss there the mast leans by another of these. Assumed, 10-45 deg.
+constexpr double kLeans_rad[] = {0.0, Radians(-20.0), Radians(20.0), Radians(-40.0)};
+
+double LeanAfter(int misses) {
+  return kLeans_rad[static_cast<std::size_t>(misses) % std::size(kLeans_rad)];
+}
 
 }  // namespace
 
@@ -70,7 +79,8 @@ Event FaceApproach::GiveUp(const std::string& why) {
 Event FaceApproach::Aim(const SensorFrame& sensed) {
   if (target_.begun && !aims_) {
     const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, sensed.imu)) * target_.p_ET;
-    mast_.Begin(AnglesToWatch(nominal_.mast, p_RT), kAimSpeed, sensed);
+    const double lean_rad = progress_.near ? LeanAfter(misses_) : 0.0;
+    mast_.Begin(AnglesToWatch(nominal_.mast, p_RT, lean_rad), kAimSpeed, sensed);
     aims_ = true;
     Tell(Name(Phase::kAim), "");
   }

@@ -66,8 +66,9 @@ std::optional<MastAngles> AnglesTo(const NominalMast& mast, const Eigen::Vector3
   return angles;
 }
 
-MastAngles AnglesToWatch(const NominalMast& mast, const Eigen::Vector3d& p_RT) {
+MastAngles AnglesToWatch(const NominalMast& mast, const Eigen::Vector3d& p_RT, double lean_rad) {
   MastAngles angles = mast.watch_rad;
+  angles[1] = std::clamp(angles[1] + lean_rad, mast.low_rad[1], mast.high_rad[1]);
   const StereoRig& pair = mast.pair_K;
   const Pose3 X_KC{pair.X_RL.R, 0.5 * (pair.X_RL.p + pair.X_RQ.p)};
   const auto clamp = [&](std::size_t i) {

@@ -23,9 +23,10 @@ Eigen::Vector3d FaceCentre(const NominalMast& mast, const MastAngles& angles);
 /// would do.
 std::optional<MastAngles> AnglesTo(const NominalMast& mast, const Eigen::Vector3d& p_RF);
 
-/// With the first link as it stands when it watches, angles that bring the point to the middle
-/// between the two cameras' axes. The nearest within the joints' limits.
-MastAngles AnglesToWatch(const NominalMast& mast, const Eigen::Vector3d& p_RT);
+/// Angles that bring the point to the middle between the two cameras' axes, with the first link
+/// leaning forward by lean_rad from its nominal watch angle. The nearest within the joints' limits.
+MastAngles AnglesToWatch(const NominalMast& mast, const Eigen::Vector3d& p_RT,
+                         double lean_rad = 0.0);
 
 /// How the rover must stand so that the tool meets a point with a given elevation.
 struct Stance {

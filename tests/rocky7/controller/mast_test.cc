@@ -60,19 +60,21 @@ TEST(Mast, RefusesPointsOutOfReachAndBelowTheShouldersLimit) {
   EXPECT_TRUE(AnglesTo(mast, {0.9, 0.0, 0.2}));
 }
 
-TEST(Mast, WatchingBringsThePointBetweenTheCamerasAxes) {
+TEST(Mast, WatchingBringsThePointBetweenTheCamerasAxesHoweverItLeans) {
   const NominalMast mast = Mast();
-  for (const Eigen::Vector3d& p :
-       {Eigen::Vector3d(6.0, 1.0, 0.4), {1.0, -0.4, 0.3}, {0.8, 0.5, 0.1}}) {
-    const MastAngles angles = AnglesToWatch(mast, p);
-    EXPECT_DOUBLE_EQ(angles[1], mast.watch_rad[1]);
-    const Pose3 X_RK = SecondLink(mast, angles);
-    const auto left = mast.pair_K.left.Project(Inverse(X_RK * mast.pair_K.X_RL) * p);
-    const auto right = mast.pair_K.right.Project(Inverse(X_RK * mast.pair_K.X_RQ) * p);
-    ASSERT_TRUE(left && right);
-    const Eigen::Vector2d middle_px = mast.pair_K.left.centre_px();
-    EXPECT_NEAR(left->x() + right->x(), 2.0 * middle_px.x(), 0.1);
-    EXPECT_NEAR(left->y(), middle_px.y(), 0.1);
+  const Eigen::Vector2d middle_px = mast.pair_K.left.centre_px();
+  for (const double lean : {0.0, Radians(-20.0), Radians(20.0)}) {
+    for (const Eigen::Vector3d& p :
+         {Eigen::Vector3d(6.0, 1.0, 0.4), {1.0, -0.4, 0.3}, {0.8, 0.5, 0.1}}) {
+      const MastAngles angles = AnglesToWatch(mast, p, lean);
+      EXPECT_DOUBLE_EQ(angles[1], mast.watch_rad[1] + lean);
+      const Pose3 X_RK = SecondLink(mast, angles);
+      const auto left = mast.pair_K.left.Project(Inverse(X_RK * mast.pair_K.X_RL) * p);
+      const auto right = mast.pair_K.right.Project(Inverse(X_RK * mast.pair_K.X_RQ) * p);
+      ASSERT_TRUE(left && right);
+      EXPECT_NEAR(left->x() + right->x(), 2.0 * middle_px.x(), 0.1);
+      EXPECT_NEAR(left->y(), middle_px.y(), 0.1);
+    }
   }
 }
 
