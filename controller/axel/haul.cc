@@ -51,7 +51,7 @@ void Haul::Begin(const Senses& senses) {
 
 Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   const TetherOptions& tether = options_.tether;
-  const HaulOptions& haul = options_.haul;
+  const HaulOptions& reel_in = options_.haul;
   SetWheels(MotorMode::kFree, commands);
   const Tick since = senses.now() - entered_;
   const bool stalled = still_.Still(senses.now(), senses.reeled_m()) >= options_.mate.stuck_after;
@@ -66,24 +66,25 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   if (stage_ == Stage::kEase) {
     spool =
         Winch(nominal_, options_.mate.taut_m_s, SeatTension(options_, senses), tether.accel_rad_s2);
-    return since >= haul.ease_time ? Status::kHeld : Status::kUnderWay;
+    return since >= reel_in.ease_time ? Status::kHeld : Status::kUnderWay;
   }
   if (slide_.Slides(senses)) return Status::kLoose;
   const bool gently = stage_ == Stage::kAlign;
-  const double align_n = std::min(haul.align_tension_n, SurePull(nominal_, options_.hold, senses));
+  const double align_n =
+      std::min(reel_in.align_tension_n, SurePull(nominal_, options_.hold, senses));
   spool = Winch(nominal_, tether.reel_m_s, gently ? align_n : tether.reel_tension_n,
                 tether.accel_rad_s2);
   if (stage_ == Stage::kPull) {
     if (stalled) Enter(Stage::kPush, senses);
     return Status::kUnderWay;
   }
-  if (since >= 4 * haul.quarter) return JudgeHere(senses);
+  if (since >= 4 * reel_in.quarter) return JudgeHere(senses);
   const double turned_rad = WrapPi(senses.yaw_rad() - yaw_rad_);
   leftmost_rad_ = std::max(leftmost_rad_, turned_rad);
   rightmost_rad_ = std::min(rightmost_rad_, turned_rad);
   // To the left, twice as long to the right, and back.
-  const double side = since < haul.quarter || since >= 3 * haul.quarter ? 1.0 : -1.0;
-  CommandWheels(nominal_, {0.0, side * haul.push_rad_s}, haul.push_accel_rad_s2, commands);
+  const double side = since < reel_in.quarter || since >= 3 * reel_in.quarter ? 1.0 : -1.0;
+  CommandWheels(nominal_, {0.0, side * reel_in.push_rad_s}, reel_in.push_accel_rad_s2, commands);
   return Status::kUnderWay;
 }
 

@@ -32,7 +32,7 @@ std::optional<Event> AxelMachine::Confirm(const SensorFrame& sensed, Commands* c
                      : "tip " + Fixed(known.depth_by_drum_m, 3) + " m deep by the drum";
   if (ruling == SeatRuling::kSeated) return Event::kSteady;
   const bool leans =
-      known.by_image && std::abs(known.by_image->askew_rad) > options_.mate.askew_rad;
+      known.by_image && std::abs(known.by_image->askew_rad) > options_.mate.lean_limit_rad;
   const bool aside = ruling == SeatRuling::kAskew ||
                      (leans && driving_.recoveries() < options_.mate.short_recoveries);
   const int limit = aside ? options_.mate.lean_wiggles : options_.mate.wiggles;

@@ -29,7 +29,7 @@ double AskewBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options) {
   if (known.by_image) {
     const bool deep = known.by_image->depth_m >= seat_depth_m - options.seat_margin_m;
-    const bool straight = std::abs(known.by_image->askew_rad) <= options.askew_rad;
+    const bool straight = std::abs(known.by_image->askew_rad) <= options.lean_limit_rad;
     if (!deep) return SeatRuling::kShort;
     return straight ? SeatRuling::kSeated : SeatRuling::kAskew;
   }

@@ -283,7 +283,7 @@ struct MateOptions {
   // An arm that leans more to a side is not seated: its play is 1.5 deg to either side, arm and
   // cone bend by 1.3 deg. One that leans by 1.9 or 2.3 deg may come loose in the judge's shake
   // (simulated). Range 1.5-2.2.
-  double askew_rad = Radians(1.8);
+  double lean_limit_rad = Radians(1.8);
   // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
   double inside_m = 0.12;
   // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a

@@ -1,5 +1,7 @@
 #include "models/axel/make_nominal.h"
 
+#include <algorithm>
+
 #include "models/axel/mating_fit.h"
 
 namespace dockyard::axel {
@@ -18,6 +20,15 @@ double SpreadOfSoles(const StationModel& station) {
   }
   return sum_m / static_cast<double>(station.feet.size());
 }
+
+// The body's centre of mass behind the axle bears a part of the arm's weight.
+double ArmDownMoment(const RoverModel& rover, double gravity_m_s2) {
+  const double arm_kg_m = rover.arm.mass_kg * rover.arm.p_LoCom_L.x();
+  return gravity_m_s2 * (arm_kg_m + rover.body.mass_kg * rover.body.p_LoCom_L.x());
+}
+
+// A socket without walls for the arm to meet lets it turn as far as it likes.
+constexpr double kMostPlay_rad = Radians(10.0);
 
 }  // namespace
 
@@ -42,6 +53,9 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   const MotorModel& spool = rover.motors[static_cast<std::size_t>(Motor::kSpool)];
   nominal.spool_friction_n = spool.gear_friction_nm / rover.tether.drum_radius_m;
   nominal.gravity_m_s2 = gravity_m_s2;
+  nominal.rover_mass_kg = rover.mass_kg();
+  nominal.arm_down_nm = ArmDownMoment(rover, gravity_m_s2);
+  nominal.seated_play_rad = std::min(SeatedPlay(rover, station.cone), kMostPlay_rad);
   nominal.station_weight_n = station.module.mass_kg * gravity_m_s2;
   nominal.station_friction = station.foot_friction;
   nominal.station_back_m = -MiddleOfSoles(station).x();

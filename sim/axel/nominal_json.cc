@@ -97,6 +97,11 @@ void VisitMembers(N& n, const Visit& visit) {
   visit("anchor_depth_m", n.anchor_depth_m);
   visit("spool_friction_n", n.spool_friction_n);
   if (visit.Has("gravity_m_s2", true)) visit("gravity_m_s2", n.gravity_m_s2);  // as the next two
+  if (visit.Has("rover_mass_kg", true)) {                                      // the same
+    visit("rover_mass_kg", n.rover_mass_kg);
+    visit("arm_down_nm", n.arm_down_nm);
+    visit("seated_play_rad", n.seated_play_rad);
+  }
   if (visit.Has("station_weight_n", true)) {  // logs of earlier versions have none
     visit("station_weight_n", n.station_weight_n);
     visit("station_friction", n.station_friction);

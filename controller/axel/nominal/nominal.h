@@ -24,18 +24,22 @@ struct Nominal {
   VisionSettings vision{};
   Pose3 X_DB;  // board in the dock, station standing level on flat ground
   std::array<NominalMotor, kMotorCount> motors;  // by Motor
-  double wheel_radius_m = 0.0;                   // rolling radius on firm ground: rim plus paddle
-  double paddle_pitch_m = 0.0;                   // rolled from one paddle to the next; 0: smooth
-  double track_m = 0.0;                          // between the wheels' middles
-  double arm_length_m = 0.0;                     // axle to arm tip
+  // The defaults of this, of mass, moment and play are Axel's: options.h has its numbers for them.
+  double wheel_radius_m = 0.30;  // rolling radius on firm ground: rim plus paddle
+  double paddle_pitch_m = 0.0;   // rolled from one paddle to the next; 0: smooth
+  double track_m = 0.0;          // between the wheels' middles
+  double arm_length_m = 0.0;     // axle to arm tip
   double arm_at_zero_rad = 0.0;  // arm against body at encoder zero, about +y: tip-down positive
   double drum_radius_m = 0.0;
   // Of the spool's gears, at the tether: it pulls this much less than the motor while it is reeled
   // in, and this much more while it is pulled out.
   double spool_friction_n = 0.0;
-  double gravity_m_s2 = 9.81;     // of the place, nominal
-  double station_weight_n = 0.0;  // m g
-  double station_friction = 0.0;  // of its soles on the ground
+  double rover_mass_kg = 40.0;
+  double arm_down_nm = 10.2;  // moment of the weights of level arm and body that keeps the arm down
+  double seated_play_rad = 0.02545;  // by which the seated arm can turn to each side
+  double gravity_m_s2 = 9.81;       // of the place, nominal
+  double station_weight_n = 0.0;    // m g
+  double station_friction = 0.0;    // of its soles on the ground
   // The middle of its soles behind the mouth, and how far they are from it, in the mean.
   double station_back_m = 0.0, station_spread_m = 0.0;
   double mouth_height_m = 0.0;   // centre of the cone's mouth above the ground

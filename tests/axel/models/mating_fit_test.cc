@@ -4,6 +4,7 @@
 
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
+#include "models/axel/make_nominal.h"
 #include "models/read/yaml_path.h"
 #include "support/bad_files.h"
 
@@ -59,6 +60,17 @@ TEST(MatingFit, FormerPartsHaveHalfThePlayAndTheirFloorIsFartherThanWhatIsReeled
   EXPECT_LT(SeatedPlay(former, station.cone), 0.55 * SeatedPlay(Rover(), StationFor(former).cone));
   EXPECT_GT(SeatDepth(station.cone), 0.25);
   EXPECT_LE(SeatDepth(StationFor(former).cone), 0.25 - 0.015);
+}
+
+// The controller's numbers are for the rover of Nominal's defaults (options_for.h).
+TEST(MakeNominal, AxelIsTheRoverOfTheDefaults) {
+  const Nominal axel = MakeNominal(Rover(), StationFor(Rover())), defaults;
+  EXPECT_EQ(axel.rover_mass_kg, defaults.rover_mass_kg);
+  EXPECT_DOUBLE_EQ(axel.wheel_radius_m, defaults.wheel_radius_m);
+  // A level arm of 4 kg, 0.5 m long to its middle, and a body of 24 kg, 0.04 m behind the axle.
+  EXPECT_NEAR(axel.arm_down_nm, 9.81 * (4.0 * 0.5 - 24.0 * 0.04), 1e-9);
+  EXPECT_NEAR(axel.arm_down_nm, defaults.arm_down_nm, 0.005);
+  EXPECT_NEAR(axel.seated_play_rad, defaults.seated_play_rad, 1e-5);
 }
 
 TEST(MatingFit, MouthFollowsTheAxle) {
