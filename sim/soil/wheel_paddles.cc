@@ -2,9 +2,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
+#include "sim/soil/moved_soil.h"
 #include "sim/soil/wheel_soil.h"
 
 namespace dockyard {
+namespace {
+
+// About a paddle's print slopes slump within this many cells of its edges, in this number of
+// passes: where two prints meet, their ridges are too steep. Assumed, 2-6 cells and 10-200 passes.
+constexpr double kSlumpCells = 3.0;
+constexpr int kSlumpPasses = 50;
+
+}  // namespace
 
 /// Passive pressure on a paddle's faces, buried from the tip up.
 Four WheelSoil::LoadFaces(const PatchPlaceOf<Four>& tip, const SpokeVelocityOf<Four>& v,
@@ -93,6 +103,37 @@ void WheelSoil::AddPaddles(const Place& at, LoadSum& sum) {
       paddle.faces = {};
       paddle.pushes = false;
     }
+    if (prints_ && paddle.pushes) FollowPrint(at, paddle);
+  }
+}
+
+/// Keeps the place where the paddle's middle is deepest.
+void WheelSoil::FollowPrint(const Place& at, Paddle& paddle) const {
+  const WheelFrame& frame = at.frame;
+  const double tip_m = wheel_.rim_radius_m + wheel_.paddle_height_m;
+  const Eigen::Vector3d p_G = frame.p_G + tip_m * (paddle.cos * frame.x_G - paddle.sin * frame.z_G);
+  double surface_m = 0.0, undisturbed_m = 0.0;
+  at.ground.Read(p_G.x(), p_G.y(), surface_m, undisturbed_m);
+  if (undisturbed_m - p_G.z() <= paddle.deepest_m) return;
+  paddle.deepest_m = undisturbed_m - p_G.z();
+  paddle.print = {.at = p_G.head<2>(),
+                  .across = frame.y_G.head<2>().normalized(),
+                  .width_m = wheel_.width_m,
+                  .thickness_m = wheel_.paddle_thickness_m,
+                  .depth_m = surface_m - p_G.z()};
+}
+
+/// Of the paddles that have come out of the soil. Soil under the rim does not slide.
+void WheelSoil::LeavePrints(HeightGrid& grid, const WheelFrame& frame) {
+  const double reach_m = bearing_radius_m_ * std::sin(std::min(half_angle_, 0.5 * kPi));
+  const RoundArea under_rim{frame.p_G.head<2>(), std::max(reach_m, 0.5 * wheel_.width_m)};
+  for (Paddle& paddle : paddles_) {
+    if (paddle.pushes || paddle.deepest_m == 0.0) continue;
+    LeavePrint(grid, paddle.print, rim_.tan_phi);
+    const double half_m = 0.5 * wheel_.width_m + kSlumpCells * grid.cell_m;
+    Slump(grid, {paddle.print.at, half_m, rim_.tan_phi, {&under_rim, 1}}, kSlumpPasses);
+    paddle.print = {};
+    paddle.deepest_m = 0.0;
   }
 }
 

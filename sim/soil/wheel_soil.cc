@@ -200,6 +200,7 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
   AddPaddles(at, sum);
   AddFaces(frame, sum);
   LeaveRut(grid, frame);
+  if (prints_) LeavePrints(grid, frame);
   sinkage_m_ = sum.sinkage_m;
   WheelLoad load;
   load.force_G = motion.X_GK.R * Eigen::Vector3d(sum.force_x, sum.force_y, sum.force_z);
@@ -233,6 +234,7 @@ std::uint64_t WheelSoil::StateHash(std::uint64_t seed) const {
   for (const Paddle& paddle : paddles_) {
     hash = HashPatch(hash, paddle.tips);
     hash = Hash(Hash(hash, paddle.faces.t), paddle.faces.a);
+    if (prints_) hash = HashDouble(hash, paddle.deepest_m);
   }
   return hash;
 }

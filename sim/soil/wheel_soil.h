@@ -22,6 +22,7 @@
 #include "models/parts/wheel.h"
 #include "sim/soil/envelope.h"
 #include "sim/soil/height_grid.h"
+#include "sim/soil/paddle_print.h"
 #include "sim/soil/patch.h"
 #include "sim/soil/rut.h"
 #include "sim/soil/side_wall.h"
@@ -44,6 +45,8 @@ class WheelSoil {
   WheelSoil(const WheelModel& wheel, const SoilModel& soil);
   /// The soil of the grid's next number: each wheel is on that below its centre.
   void AddSoil(const SoilModel& soil) { laws_.push_back(LawsOf(soil)); }
+  /// From now on the rut has a print of each paddle that has been in the soil.
+  void PrintPaddles() { prints_ = true; }
 
   /// Advances the contact by dt and returns the load; leaves the rut in the grid.
   WheelLoad Step(HeightGrid& grid, const WheelMotion& motion, double dt_s);
@@ -68,6 +71,8 @@ class WheelSoil {
     MobilisationOf<Four> faces;  // of the passive pressure, along t
     Row<double> face_loads;      // of this step, as far as the soil behind them holds
     bool pushes = false;
+    PaddlePrint print{};     // of the place where it was deepest
+    double deepest_m = 0.0;  // there, below the soil as it was
   };
   /// The wheel and the ground below it in one step.
   struct Place {
@@ -100,6 +105,8 @@ class WheelSoil {
   Four LoadFaces(const PatchPlaceOf<Four>& tip, const SpokeVelocityOf<Four>& v, double rise_m,
                  double dt_s, MobilisationOf<Four>& faces) const;
   void LeaveRut(HeightGrid& grid, const WheelFrame& frame);
+  void FollowPrint(const Place& at, Paddle& paddle) const;
+  void LeavePrints(HeightGrid& grid, const WheelFrame& frame);
 
   WheelModel wheel_;
   std::vector<Laws> laws_;  // by the soil's number
@@ -116,6 +123,7 @@ class WheelSoil {
   double contact_depth_m_ = 0.0;  // of the last step
   double sinkage_m_ = 0.0;
   double since_rut_s_ = 0.0;
+  bool prints_ = false;
   RutScratch scratch_;
 };
 

@@ -5,7 +5,7 @@
 
 #include "models/parts/scoop_shape.h"
 #include "sim/base/hash.h"
-#include "sim/vehicles/moved_soil.h"
+#include "sim/soil/moved_soil.h"
 
 namespace dockyard {
 namespace {

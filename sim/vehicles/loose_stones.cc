@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "sim/base/hash.h"
+#include "sim/soil/moved_soil.h"
 #include "sim/soil/sinking_plate.h"
-#include "sim/vehicles/moved_soil.h"
 
 namespace dockyard {
 namespace {

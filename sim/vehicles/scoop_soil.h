@@ -9,8 +9,8 @@
 #include "models/parts/soil_model.h"
 #include "sim/rigid/motion.h"
 #include "sim/soil/height_grid.h"
+#include "sim/soil/moved_soil.h"
 #include "sim/soil/soil_laws.h"
-#include "sim/vehicles/moved_soil.h"
 
 namespace dockyard {
 

@@ -1,4 +1,4 @@
-#include "sim/vehicles/moved_soil.h"
+#include "sim/soil/moved_soil.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,19 +27,38 @@ double Slide(double& a, double& b, double steepest_m) {
   return excess_m;
 }
 
-double SlumpOnce(HeightGrid& grid, const GridCell& low, const GridCell& high, double steepest_m) {
+bool IsHeld(const HeightGrid& grid, std::span<const RoundArea> plates, int ix, int iy) {
+  return std::any_of(plates.begin(), plates.end(),
+                     [&](const RoundArea& plate) { return LiesOn(grid, plate, ix, iy); });
+}
+
+double SlumpOnce(HeightGrid& grid, const LooseSlope& slope, const GridCell& low,
+                 const GridCell& high) {
+  const double steepest_m = slope.friction * grid.cell_m;
   double excess_m = 0.0;
   for (int iy = low.iy; iy <= high.iy; ++iy) {
     for (int ix = low.ix; ix <= high.ix; ++ix) {
+      if (IsHeld(grid, slope.held, ix, iy)) continue;
       double* at = grid.heights_m.data() + static_cast<std::ptrdiff_t>(iy) * grid.nx + ix;
-      excess_m = std::max(
-          {excess_m, Slide(at[0], at[1], steepest_m), Slide(at[0], at[grid.nx], steepest_m)});
+      if (!IsHeld(grid, slope.held, ix + 1, iy)) {
+        excess_m = std::max(excess_m, Slide(at[0], at[1], steepest_m));
+      }
+      if (!IsHeld(grid, slope.held, ix, iy + 1)) {
+        excess_m = std::max(excess_m, Slide(at[0], at[grid.nx], steepest_m));
+      }
     }
   }
   return excess_m;
 }
 
 }  // namespace
+
+bool LiesOn(const HeightGrid& grid, const RoundArea& plate, int ix, int iy) {
+  const double dx_m = std::abs(grid.x0_m + ix * grid.cell_m - plate.centre.x());
+  const double dy_m = std::abs(grid.y0_m + iy * grid.cell_m - plate.centre.y());
+  return (dx_m < grid.cell_m && dy_m < grid.cell_m) ||
+         dx_m * dx_m + dy_m * dy_m <= plate.radius_m * plate.radius_m;
+}
 
 void AddSoil(HeightGrid& grid, const Eigen::Vector2d& at, double volume_m3) {
   if (grid.undisturbed_m.empty()) grid.undisturbed_m = grid.heights_m;
@@ -62,7 +81,7 @@ bool Slump(HeightGrid& grid, const LooseSlope& slope, int most_passes) {
   const GridCell high = CellAt(grid, at.x() + slope.half_m, at.y() + slope.half_m);
   bool rests = false;
   for (int pass = 0; pass < most_passes && !rests; ++pass) {
-    rests = SlumpOnce(grid, low, high, slope.friction * grid.cell_m) < kAtRest_m;
+    rests = SlumpOnce(grid, slope, low, high) < kAtRest_m;
   }
   ++grid.revision;
   return rests;
