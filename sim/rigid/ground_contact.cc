@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/hash.h"
+#include "sim/rigid/ground_friction.h"
 
 namespace dockyard {
 
@@ -22,17 +23,9 @@ Eigen::Vector3d GroundForce(const HeightGrid& ground, const GroundMaterial& mate
                            : material.stiffness_n_per_m * depth;
   const double press = std::max(0.0, borne - material.damping_ns_per_m * speed_out);
   const Eigen::Vector3d v_along = v_G - speed_out * n;
-  const double most = material.friction * press;
-
-  Eigen::Vector3d& bend = point.bend_G;
-  bend += v_along * dt_s;
-  bend -= bend.dot(n) * n;
-  const double held = material.stiffness_n_per_m * bend.norm();
-  if (held > most) bend *= most / held;
-  Eigen::Vector3d drag = -material.stiffness_n_per_m * bend - material.damping_ns_per_m * v_along;
-  const double drag_size = drag.norm();
-  if (drag_size > most) drag *= most / drag_size;
-  return press * n + drag;
+  const GroundBristle bristle{material.stiffness_n_per_m, material.damping_ns_per_m};
+  return press * n +
+         GroundFriction(bristle, material.friction * press, n, v_along, dt_s, point.bend_G);
 }
 
 std::uint64_t HashPoint(std::uint64_t hash, const GroundPoint& point) {
