@@ -51,6 +51,9 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
       {"excursion_m", "m",
        "the rover starts seated and goes this far out before it docks; 0: it starts outside"},
       values.excursion_m, NonNegative(20.0));
+  keys.Choice(
+      {"soil_marks", "", "smooth ruts; with prints of the paddles; all: of tip and body, too"},
+      values.soil_marks, {"ruts", "prints", "all"});
   keys.Mapping(
       {"start", "", "how the rover lies at the start, its arm's tip on the ground"}, [&](Keys& in) {
         in.Choice({"arm", "", "the tip ahead of the axle or behind it"}, values.start.arm,

@@ -25,6 +25,10 @@ struct StartKeys {
   double rock_m = 0.0;  // height of a rock under the left wheel
 };
 
+/// Which marks soil keeps: the wheels' ruts, the prints of their paddles in these, and those of
+/// tip, body and further links, each with what comes before.
+enum class SoilMarks { kRuts, kPrints, kAll };
+
 /// Some of the board's marks are dirtier than the rest.
 struct DirtyMarks {
   int count = 0;
@@ -54,6 +58,7 @@ struct AxelKeys {
   StationMove station_move{};
   RockMapKeys rock_map{};
   double excursion_m = 0.0;  // of a rover that starts seated; 0: it starts outside
+  SoilMarks soil_marks = SoilMarks::kRuts;
 };
 
 /// Names every key: for reading, and for docs/reference/scenarios.md.

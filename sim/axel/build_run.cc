@@ -204,6 +204,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   run.nominal.rock_map =
       RockMapOf(models.keys.rock_map, world.rocks, world.ground, world.X_GD, scenario.seed);
   world.station_move = models.keys.station_move;
+  world.paddles_print = models.keys.soil_marks != SoilMarks::kRuts;
+  world.body_marks_soil = models.keys.soil_marks == SoilMarks::kAll;
   world.step_s = scenario.physics_step_s;
   if (const std::string part = StartsInRock(world); !part.empty()) {
     throw ConfigError(scenario.rocks_place + ": expected no rock in the rover's " + part +

@@ -30,6 +30,14 @@ void CheckSetup(const WorldSetup& setup) {
   DOCKYARD_CHECK(setup.rover.arm_length_m > 0.0);
 }
 
+// The soils in which the rover's tip and body leave marks, by the ground's numbers.
+std::vector<SoilModel> MarkedSoils(const WorldSetup& setup) {
+  if (!setup.body_marks_soil) return {};
+  std::vector<SoilModel> soils{setup.soil};
+  soils.insert(soils.end(), setup.patch_soils.begin(), setup.patch_soils.end());
+  return soils;
+}
+
 // A foot's force over its depth [N/m]: of one with a sole, at an equal share of the weight.
 double FootStiffness(const WorldSetup& setup, std::size_t soil) {
   const StationModel& station = setup.station;
@@ -98,7 +106,7 @@ World::Impl::Impl(WorldSetup setup)
       contacts_(rigid_, setup_.rover, setup_.station, rover_, station_),
       drives_(setup_.rover, setup_.arm_start_rad),
       tether_(setup_.rover.tether, setup_.station, setup_.rover.arm_length_m),
-      rover_ground_(setup_.rover),
+      rover_ground_(setup_.rover, MarkedSoils(setup_)),
       left_soil_(setup_.rover.left_wheel_soil, setup_.soil),
       right_soil_(setup_.rover.right_wheel_soil, setup_.soil),
       imu_(setup_.rover.imu, gravity_G_) {
@@ -106,6 +114,10 @@ World::Impl::Impl(WorldSetup setup)
     station_.AddSole(SoleOf(setup_.station, soil));
     left_soil_.AddSoil(soil);
     right_soil_.AddSoil(soil);
+  }
+  if (setup_.paddles_print) {
+    left_soil_.PrintPaddles();
+    right_soil_.PrintPaddles();
   }
   contacts_.PutRocks(setup_.rover, setup_.rocks);
   Settle();

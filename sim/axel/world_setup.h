@@ -28,6 +28,8 @@ struct WorldSetup {
   double pitch_start_rad = 0.0;  // body about the axle, nose-down positive; 180 deg: upside down
   double slack_start_m = 0.0;    // exposed tether beyond the straight path at the start, >= 0
   StationMove station_move{};    // while the run is under way
+  bool paddles_print = false;    // the wheels' paddles leave prints in their ruts
+  bool body_marks_soil = false;  // tip, body and further links press and plough the soil
   double step_s = 1e-3;
   bool may_rest = true;               // off: every step is computed, nothing moving or not
   bool add_right_side_first = false;  // order in which the bodies are added (mirror test)

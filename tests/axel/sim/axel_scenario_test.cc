@@ -48,6 +48,19 @@ TEST(AxelKeys, PageHasTheTableThatTheVisitorDocuments) {
   EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), table);
 }
 
+TEST(AxelKeys, SoilMarksReachTheWorldAndAreRutsWithoutTheKey) {
+  const auto Marks = [](const std::vector<std::string>& sets) {
+    const Scenario scenario = Typical(sets);
+    const WorldSetup world = BuildRun(scenario, LoadModels(scenario)).world;
+    return std::pair(world.paddles_print, world.body_marks_soil);
+  };
+  EXPECT_EQ(Marks({}), std::pair(false, false));
+  EXPECT_EQ(Marks({"axel.soil_marks=ruts"}), std::pair(false, false));
+  EXPECT_EQ(Marks({"axel.soil_marks=prints"}), std::pair(true, false));
+  EXPECT_EQ(Marks({"axel.soil_marks=all"}), std::pair(true, true));
+  EXPECT_THAT(SetMessage("axel.soil_marks=none"), HasSubstr("axel.soil_marks"));
+}
+
 TEST(AxelKeys, AnExcursionIsToldToTheControllerAndStartsSeated) {
   const auto Built = [](const std::vector<std::string>& sets) {
     const Scenario scenario = Typical(sets);
