@@ -47,22 +47,22 @@ struct Plate {
     contacts.Add({stiffness, damping, kFriction}, kPlate_m);
   }
   Vector3d GoTo(const Vector3d& to, double speed_m_s) {
-    const long steps = std::max(1L, std::lround((to - p).norm() / speed_m_s / kStep));
-    v = (to - p) / (static_cast<double>(steps) * kStep);
+    const long steps = std::max(1L, std::lround((to - p).norm() / speed_m_s / step_s));
+    v = (to - p) / (static_cast<double>(steps) * step_s);
     Vector3d force = Vector3d::Zero();
     for (long i = 0; i < steps; ++i) {
-      p += kStep * v;
+      p += step_s * v;
       force = Force();
     }
     return force;
   }
   /// Under a load that changes slowly.
   void Bear(double from_n, double to_n, double seconds) {
-    const long steps = std::lround(seconds / kStep);
+    const long steps = std::lround(seconds / step_s);
     for (long i = 0; i < steps; ++i) {
       const double load_n = from_n + (to_n - from_n) * static_cast<double>(i) / steps;
-      v += kStep / kMass_kg * (Force() - load_n * Vector3d::UnitZ());
-      p += kStep * v;
+      v += step_s / kMass_kg * (Force() - load_n * Vector3d::UnitZ());
+      p += step_s * v;
     }
   }
   void Lift() {
@@ -71,12 +71,13 @@ struct Plate {
     for (int i = 0; i < 20000; ++i) Force();
   }
   Vector3d Force() {
-    const Vector3d force = contacts.Step(*ground, 0, p, v, kStep);
-    contacts.Slump(*ground, kStep);
+    const Vector3d force = contacts.Step(*ground, 0, p, v, step_s);
+    contacts.Slump(*ground, step_s);
     return force;
   }
 
   static constexpr double kMass_kg = 1.3;
+  double step_s = kStep;
   MarkingContacts contacts;
   HeightGrid* ground;
   Vector3d p = Vector3d::Zero(), v = Vector3d::Zero();
@@ -116,6 +117,19 @@ TEST(MarkingContacts, SinkByBekkersLawAndLeaveTheDepthLessTheRebound) {
     EXPECT_GT(left_m, 1e-3) << name;
     EXPECT_NEAR(-ground.Height(0.0, 0.0), left_m, 0.015 * depth_m) << name;
   }
+}
+
+TEST(MarkingContacts, SinkAsDeepWithHalfTheStep) {
+  std::vector<double> floors_m;
+  for (const double step_s : {1e-3, 5e-4}) {
+    HeightGrid ground = Level();
+    Plate plate(Soil("loose_sand"), &ground);
+    plate.step_s = step_s;
+    plate.Bear(0.0, 60.0, 4.0);
+    floors_m.push_back(ground.Height(0.0, 0.0));
+  }
+  EXPECT_LT(floors_m.front(), -0.01);
+  EXPECT_NEAR(floors_m.front(), floors_m.back(), 2e-5);
 }
 
 TEST(MarkingContacts, BearTheSameLoadAgainWithoutGoingDeeper) {
