@@ -134,7 +134,8 @@ TEST(SimulatedCamera, FaultsChangeTheSensor) {
   const CameraMotion motion{shot.room.CameraAt(1.0)};
   const auto mean = [&](const SimulatedCamera::Conditions& conditions) {
     double sum = 0.0;
-    for (const std::uint8_t p : GreyOf(shot.Take(view, motion, 0, conditions)).pixels) sum += p;
+    const GrayImage image = GreyOf(shot.Take(view, motion, 0, conditions));
+    for (const std::uint8_t p : image.pixels) sum += p;
     return sum / (160 * 120);
   };
   const double clean = mean({});
