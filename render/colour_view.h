@@ -5,6 +5,7 @@
 
 #include "controller/geometry/camera.h"
 #include "render/colour_table.h"
+#include "render/lens_ripple.h"
 #include "render/radiance_image.h"
 #include "render/view_hole.h"
 
@@ -17,6 +18,7 @@ struct ColourView {
   // Rays along a pixel's side, but about the scene's Interest, which has more. 1 is enough for a
   // lens whose blur is as wide as a pixel.
   double rays = 2.0;
+  LensRipple ripple{};  // of the lens
 
   bool operator==(const ColourView&) const = default;
 };

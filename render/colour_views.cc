@@ -69,7 +69,7 @@ ColourViews::Lens ColourViews::MakeLens(const ColourView& view) {
   DOCKYARD_CHECK(view.vignetting_exponent >= 0.0 && view.vignetting_exponent <= 20.0);
   DOCKYARD_CHECK(view.rays >= 0.5 && view.rays <= 4.0);
   const Camera& camera = view.camera;
-  const TanScale scale(camera);
+  const TanScale scale(camera, view.ripple);
   DOCKYARD_CHECK(!scale.pupil_moves());
   const int w = camera.width, h = camera.height;
   std::vector<float> shares(static_cast<std::size_t>(w) * h);

@@ -41,14 +41,28 @@ double ExceededBy(std::span<const RadianceImage> images, double percent) {
   return Smallest(images, count - 1 - std::min(above, count - 1));
 }
 
+// In the dark the exposure is limited.
+double CutOf(std::span<const RadianceImage> images, const SensorOptions& s) {
+  return std::max(ExceededBy(images, s.exposure_percent), 1e-6);
+}
+
 }  // namespace
 
 double ElectronsOfRadiance(std::span<const RadianceImage> images, const SensorOptions& s) {
   const double stops = std::exp2(s.exposure_stops);
   if (s.fixed_exposure_e > 0.0) return stops * s.fixed_exposure_e;
-  // In the dark the exposure is limited.
-  const double cut = std::max(ExceededBy(images, s.exposure_percent), 1e-6);
-  return stops * s.target_level * s.full_well_e / cut;
+  return stops * s.target_level * s.full_well_e / CutOf(images, s);
+}
+
+double ElectronsOfRadiance(std::span<const RadianceImage> images, const SensorOptions& s,
+                           KeptExposure* before) {
+  if (!before || s.fixed_exposure_e > 0.0) return ElectronsOfRadiance(images, s);
+  const double found = s.target_level * s.full_well_e / CutOf(images, s);
+  const double taken = before->electrons > 0.0 ? before->electrons : found;
+  const bool lit = std::any_of(images.begin(), images.end(),
+                               [](const RadianceImage& image) { return !image.values.empty(); });
+  if (lit) before->electrons = found;
+  return std::exp2(s.exposure_stops) * taken;
 }
 
 }  // namespace dockyard

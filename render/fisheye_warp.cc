@@ -47,9 +47,11 @@ Eigen::Vector3d RequiredRay(const Camera& camera, const Eigen::Vector2d& pixel) 
 
 }  // namespace
 
-TanScale::TanScale(const Camera& camera) : camera_(camera) {
+TanScale::TanScale(const Camera& camera, const LensRipple& ripple)
+    : camera_(camera), ripple_(ripple) {
   RequireSound(camera);
-  if (const auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) {
+  const auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens);
+  if (fisheye && ripple.none()) {
     TabulateRadius(*fisheye);
   } else {
     TabulateCorners();
@@ -76,7 +78,8 @@ void TanScale::TabulateCorners() {
   if (moves) pupil_m_.reserve(count);
   for (int y = 0; y <= camera_.height; ++y) {
     for (int x = 0; x <= camera_.width; ++x) {
-      const Eigen::Vector2d pixel(x - 0.5, y - 0.5);
+      const Eigen::Vector2d corner(x - 0.5, y - 0.5);
+      const Eigen::Vector2d pixel = corner - ripple_.At(corner);
       const Eigen::Vector3d ray = RequiredRay(camera_, pixel);
       corners_.emplace_back((ray.head<2>() / ray.z()).cast<float>());
       if (moves) {
@@ -88,8 +91,8 @@ void TanScale::TabulateCorners() {
 
 Eigen::Vector2d TanScale::operator()(const Eigen::Vector2d& pixel) const {
   const auto* lens = std::get_if<KannalaBrandt>(&camera_.lens);
-  if (!lens) {
-    const Eigen::Vector3d ray = camera_.Direction(pixel);
+  if (!lens || !ripple_.none()) {
+    const Eigen::Vector3d ray = RayWith(ripple_, camera_, pixel).direction;
     return ray.head<2>() / ray.z();
   }
   const double mx = (pixel.x() - lens->cx) / lens->fx;

@@ -6,6 +6,7 @@
 
 #include "controller/geometry/camera.h"
 #include "render/flat_view.h"
+#include "render/lens_ripple.h"
 #include "render/pupil.h"
 
 namespace dockyard {
@@ -14,12 +15,13 @@ namespace dockyard {
 inline constexpr double kWidestDrawn_rad = Radians(65.0);
 
 /// Tan-plane points of a lens's pixels, tabulated from Camera::Ray: against the radius for a
-/// Kannala-Brandt lens, corner by corner for the others, which costs 0.1 s: keep it for the run.
+/// Kannala-Brandt lens, corner by corner for the others and with a ripple, which costs 0.1 s: keep
+/// it for the run.
 class TanScale {
  public:
   /// Throws std::invalid_argument when the camera's numbers are no camera, or a pixel points
   /// further than kWidestDrawn_rad off the axis.
-  explicit TanScale(const Camera& camera);
+  explicit TanScale(const Camera& camera, const LensRipple& ripple = {});
   /// Tan-plane point of a pixel; error below 1e-8.
   Eigen::Vector2d operator()(const Eigen::Vector2d& pixel) const;
   /// Of a whole row of pixel corners (x - 0.5, y - 0.5), x = 0 ... width. A lens with a moving
@@ -29,12 +31,14 @@ class TanScale {
   bool pupil_moves() const { return !pupil_m_.empty(); }
 
   const Camera& camera() const { return camera_; }
+  const LensRipple& ripple() const { return ripple_; }
 
  private:
   void TabulateRadius(const KannalaBrandt& lens);
   void TabulateCorners();
 
   Camera camera_;
+  LensRipple ripple_;
   double per_rho2_ = 0.0;
   std::vector<double> table_;             // tan(theta) / rho
   std::vector<Eigen::Vector2f> corners_;  // row by row

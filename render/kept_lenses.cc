@@ -24,15 +24,17 @@ void FillGrid(const Scene& scene, const Pose3& X_WC, KeptLens& lens) {
 
 }  // namespace
 
-const KeptLens& KeptLenses::Of(const Camera& camera, const Scene& scene, const Pose3& X_WC) {
-  const auto known = std::find_if(lenses_.begin(), lenses_.end(),
-                                  [&](const auto& lens) { return lens->scale.camera() == camera; });
+const KeptLens& KeptLenses::Of(const Camera& camera, const LensRipple& ripple, const Scene& scene,
+                               const Pose3& X_WC) {
+  const auto known = std::find_if(lenses_.begin(), lenses_.end(), [&](const auto& lens) {
+    return lens->scale.camera() == camera && lens->scale.ripple() == ripple;
+  });
   if (known != lenses_.end()) {
     std::rotate(lenses_.begin(), known, known + 1);
     if (lenses_.front()->scale.pupil_moves()) FillGrid(scene, X_WC, *lenses_.front());
     return *lenses_.front();
   }
-  const TanScale scale(camera);
+  const TanScale scale(camera, ripple);
   auto lens =
       std::make_unique<KeptLens>(KeptLens{.scale = scale, .rect = ImageRect(camera, scale)});
   FillGrid(scene, X_WC, *lens);

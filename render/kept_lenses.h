@@ -22,7 +22,8 @@ class KeptLenses {
  public:
   /// The grid is made anew only where the pupil moves, as its pixels depend on where their rays end
   /// in the scene. Good until the next call.
-  const KeptLens& Of(const Camera& camera, const Scene& scene, const Pose3& X_WC);
+  const KeptLens& Of(const Camera& camera, const LensRipple& ripple, const Scene& scene,
+                     const Pose3& X_WC);
 
  private:
   // Enough for three pairs and six single cameras; 13 MB each at 1024 x 768.

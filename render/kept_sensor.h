@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/geometry/camera.h"
+#include "render/kept_exposure.h"
 #include "render/stereo_renderer.h"
 
 namespace dockyard {
@@ -28,9 +29,10 @@ class KeptSensor {
   std::vector<float> responses_;
 };
 
-/// The same image as without what is kept, sooner. kept: of this camera.
+/// The same image as without what is kept, sooner. kept: of this camera, as `before` is, by which
+/// the exposure is set where it is given (exposure_rule.h).
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor,
-                     KeptSensor& kept);
+                     KeptSensor& kept, KeptExposure* before = nullptr);
 
 /// Electrons of a pixel over their mean: the pixels differ among each other by sigma.
 float ResponseOf(std::uint64_t pattern, float sigma, std::size_t pixel);

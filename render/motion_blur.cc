@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -142,6 +143,30 @@ void BlurRow(const BorderedRows& rows, int y, int width, const float* u, const f
   }
 }
 
+/// Weights of five values one apart for the value at t from the middle one, |t| <= 1/2 (Lagrange).
+std::array<float, 5> WeightsAt(float t) {
+  const float one = t * t - 1.0f, four = t * t - 4.0f;
+  return {t * one * (t - 2.0f) / 24.0f, -t * (t - 1.0f) * four / 6.0f, one * four / 4.0f,
+          -t * (t + 1.0f) * four / 6.0f, t * one * (t + 2.0f) / 24.0f};
+}
+
+/// Of a place in pixels; off the image the outermost pixels go on.
+float ValueAt(const RadianceImage& image, float u, float v) {
+  const float column = std::floor(u + 0.5f), row = std::floor(v + 0.5f);
+  const std::array<float, 5> along = WeightsAt(u - column), down = WeightsAt(v - row);
+  float sum = 0.0f;
+  for (int j = 0; j < 5; ++j) {
+    const int y = std::clamp(static_cast<int>(row) + j - 2, 0, image.height - 1);
+    const float* values = &image.values[static_cast<std::size_t>(y) * image.width];
+    float line = 0.0f;
+    for (int i = 0; i < 5; ++i) {
+      line += along[i] * values[std::clamp(static_cast<int>(column) + i - 2, 0, image.width - 1)];
+    }
+    sum += down[j] * line;
+  }
+  return std::max(sum, 0.0f);
+}
+
 }  // namespace
 
 ExposureMotion MotionOverExposure(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& v_WB_W,
@@ -173,6 +198,25 @@ void BlurByMotion(const Camera& camera, const ExposureMotion& camera_motion, Rad
     shifts.Row(y, &image.inverse_depth[first], u.data(), v.data());
     BlurRow(rows, y, image.width, u.data(), v.data(), out.data());
     std::copy(out.begin(), out.begin() + image.width, &image.values[first]);
+  }
+}
+
+void MoveRows(const Camera& camera, const ExposureMotion& camera_motion, const RowRange& rows,
+              double middle, RadianceImage& image) {
+  DOCKYARD_CHECK(image.width == camera.width && image.height == camera.height);
+  DOCKYARD_CHECK(image.inverse_depth.size() == image.values.size());
+  const ShiftGrid shifts(camera, camera_motion);
+  const RadianceImage still = image;
+  const auto places = static_cast<std::size_t>(InFours(image.width));
+  std::vector<float> u(places), v(places);
+  for (int y = rows.first; y < rows.end; ++y) {
+    const std::size_t first = static_cast<std::size_t>(y) * image.width;
+    shifts.Row(y, &still.inverse_depth[first], u.data(), v.data());
+    const auto share = static_cast<float>((y + 0.5) / image.height - 0.5 - middle);
+    for (int x = 0; x < image.width; ++x) {
+      image.values[first + x] = ValueAt(still, static_cast<float>(x) - share * u[x],
+                                        static_cast<float>(y) - share * v[x]);
+    }
   }
 }
 

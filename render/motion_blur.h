@@ -33,4 +33,17 @@ Eigen::Vector2d ImageShift_px(const Camera& camera, const ExposureMotion& camera
 /// The image has depths.
 void BlurByMotion(const Camera& camera, const ExposureMotion& camera_motion, RadianceImage& image);
 
+/// Rows first ... end - 1.
+struct RowRange {
+  int first = 0, end = 0;
+};
+
+/// These rows of an image of a moving camera whose rows are exposed one after another. Row y of h
+/// is exposed at the share (y + 1/2) / h - 1/2 of the readout, the image as it is at the share
+/// `middle`; so each pixel moves on by ImageShift_px times the difference. Values between pixels
+/// are those of the polynomial of fourth degree through five pixels, along rows and columns. The
+/// motion is that over the readout. The image has depths, which stay where they are.
+void MoveRows(const Camera& camera, const ExposureMotion& camera_motion, const RowRange& rows,
+              double middle, RadianceImage& image);
+
 }  // namespace dockyard

@@ -10,6 +10,7 @@
 #include "render/frame_grabber.h"
 #include "render/kept_sensor.h"
 #include "render/optics.h"
+#include "render/pixel_defects.h"
 #include "render/pixel_noise.h"
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
@@ -34,6 +35,9 @@ void CheckSensor(const SensorOptions& s) {
   DOCKYARD_CHECK(std::abs(s.exposure_stops) <= 16.0);
   DOCKYARD_CHECK(s.video.noise_share >= 0.0 && s.video.noise_share <= 0.2);
   DOCKYARD_CHECK(s.video.line_jitter_px >= 0.0 && s.video.line_jitter_px <= 5.0);
+  DOCKYARD_CHECK(s.defects.hot_share >= 0.0 && s.defects.hot_share <= 0.5);
+  DOCKYARD_CHECK(s.defects.dead_share >= 0.0 && s.defects.dead_share <= 0.5);
+  DOCKYARD_CHECK(s.defects.hot_dark_e >= 0.0 && s.defects.hot_offset_e >= 0.0);
   CheckOptics(s);
   for (const WindowOptions& window : s.windows) CheckWindow(window);
 }
@@ -44,9 +48,11 @@ std::uint64_t PatternOf(const SensorOptions& s, int view) {
 }
 
 // `view` is that of a grey image, or 2 + 3 times it and the channel: of a colour camera.
+int CameraOfView(int view) { return view < 2 ? view : (view - 2) / 3; }
+
 VideoKeys VideoKeysOf(const SensorOptions& s, int view, std::uint64_t noise_key) {
   constexpr std::uint64_t kLines = 0x6c696e6573, kNoise = 0x766964656f;
-  const int camera = view < 2 ? view : (view - 2) / 3;
+  const int camera = CameraOfView(view);
   return {.lines = SplitMix(SplitMix(s.noise_key, kLines), static_cast<std::uint64_t>(camera)),
           .noise = SplitMix(noise_key, kNoise)};
 }
@@ -65,6 +71,8 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   const auto levels_per_e = static_cast<float>(most / s.full_well_e);
   const auto sigma = static_cast<float>(s.response_sigma);
   const std::uint64_t pattern = PatternOf(s, view);
+  // All channels of a colour image share their defects.
+  const std::uint64_t defects = PatternOf(s, CameraOfView(view));
   const bool direct = IsDirect(s.video);
   std::vector<float> signal(direct ? 0 : out.pixels.size());  // into the frame grabber
   float electrons[kAtOnce], normal[kAtOnce], noisy[kAtOnce];
@@ -79,6 +87,7 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
         electrons[i] *= std::max(1.0f + sigma * HashNormal(pattern, first + i), 0.0f);
       }
     }
+    if (HasDefects(s.defects)) AddDefects(s.defects, defects, first, count, electrons);
     for (std::size_t i = 0; i < count; ++i) normal[i] = HashNormal(key, first + i);
     for (std::size_t i = 0; i < count; ++i) {
       noisy[i] = electrons[i] + std::sqrt(electrons[i] + read_variance) * normal[i];
@@ -141,18 +150,19 @@ GrayImage UpperBits(const DeepImage& deep) {
 
 // Of the light on the sensors.
 std::array<DeepImage, 2> DigitisePair(const std::array<RadianceImage, 2>& images,
-                                      const SensorOptions& sensor) {
-  const double gain = ElectronsOfRadiance(images, sensor);
+                                      const SensorOptions& sensor, KeptExposure* before = nullptr) {
+  const double gain = ElectronsOfRadiance(images, sensor, before);
   return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
           Digitise(images[1], gain, sensor, 1, SplitMix(sensor.noise_key, 1))};
 }
 
 // Of one camera that keeps its responses.
-GrayImage DigitiseKept(const RadianceImage& image, const SensorOptions& sensor, KeptSensor& kept) {
+GrayImage DigitiseKept(const RadianceImage& image, const SensorOptions& sensor, KeptSensor& kept,
+                       KeptExposure* before) {
   const auto sigma = static_cast<float>(sensor.response_sigma);
   const std::vector<float>& responses =
       kept.Responses(PatternOf(sensor, 0), sigma, image.values.size());
-  return UpperBits(Digitise(image, ElectronsOfRadiance({&image, 1}, sensor), sensor, 0,
+  return UpperBits(Digitise(image, ElectronsOfRadiance({&image, 1}, sensor, before), sensor, 0,
                             SplitMix(sensor.noise_key, 0), responses.data()));
 }
 
@@ -165,12 +175,12 @@ std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const
 }
 
 StereoImages ExposeFields(std::array<StereoRadiance, 2> fields, const StereoRig& rig,
-                          const SensorOptions& sensor) {
+                          const SensorOptions& sensor, KeptExposure* before) {
   CheckSensor(sensor);
   StereoRadiance even = ThroughLens(std::move(fields[0]), rig, sensor);
   const StereoRadiance odd = ThroughLens(std::move(fields[1]), rig, sensor);
   for (int view = 0; view < 2; ++view) even[view] = Interlaced(std::move(even[view]), odd[view]);
-  const std::array<DeepImage, 2> deep = DigitisePair(even, sensor);
+  const std::array<DeepImage, 2> deep = DigitisePair(even, sensor, before);
   return {.left = UpperBits(deep[0]), .right = UpperBits(deep[1])};
 }
 
@@ -186,25 +196,28 @@ GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorO
 }
 
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor,
-                     KeptSensor& kept) {
+                     KeptSensor& kept, KeptExposure* before) {
   CheckSensor(sensor);
   const RadianceImage& falloff = kept.Falloff(camera, sensor.vignetting_exponent);
-  return DigitiseKept(ThroughLens(std::move(radiance), camera, sensor, 0, &falloff), sensor, kept);
+  return DigitiseKept(ThroughLens(std::move(radiance), camera, sensor, 0, &falloff), sensor, kept,
+                      before);
 }
 
 GrayImage ExposeFields(std::array<RadianceImage, 2> fields, const Camera& camera,
-                       const SensorOptions& sensor, KeptSensor& kept) {
+                       const SensorOptions& sensor, KeptSensor& kept, KeptExposure* before) {
   CheckSensor(sensor);
   const RadianceImage& falloff = kept.Falloff(camera, sensor.vignetting_exponent);
   for (RadianceImage& field : fields) {
     field = ThroughLens(std::move(field), camera, sensor, 0, &falloff);
   }
-  return DigitiseKept(Interlaced(std::move(fields[0]), fields[1]), sensor, kept);
+  return DigitiseKept(Interlaced(std::move(fields[0]), fields[1]), sensor, kept, before);
 }
 
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
-                          const SensorOptions& sensor) {
-  const std::array<DeepImage, 2> deep = ExposeDeep(std::move(radiance), rig, sensor);
+                          const SensorOptions& sensor, KeptExposure* before) {
+  CheckSensor(sensor);
+  const std::array<DeepImage, 2> deep =
+      DigitisePair(ThroughLens(std::move(radiance), rig, sensor), sensor, before);
   return {.left = UpperBits(deep[0]), .right = UpperBits(deep[1])};
 }
 

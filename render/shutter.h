@@ -1,5 +1,5 @@
 // Motion blur: the image of a moving camera is the mean of views over its exposure. No GL. All rows
-// are exposed at once: a rolling shutter is not simulated.
+// are exposed at once; for those of a rolling shutter see rolling_shutter.h.
 #pragma once
 
 #include <array>

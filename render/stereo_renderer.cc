@@ -74,19 +74,21 @@ class StereoRenderer::Impl {
   std::array<std::vector<RadianceImage>, 2> Render(const Scene& scene, const StereoRig& rig,
                                                    const Pose3& X_WR,
                                                    const std::vector<Channel>& channels,
-                                                   bool with_depth) {
+                                                   bool with_depth,
+                                                   const std::array<LensRipple, 2>& ripples) {
     Prepare(scene, X_WR);
     const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
-    return {RenderView(scene, rig.left, X_WL, channels, with_depth),
-            RenderView(scene, rig.right, X_WQ, channels, with_depth)};
+    return {RenderView(scene, {rig.left, ripples[0]}, X_WL, channels, with_depth),
+            RenderView(scene, {rig.right, ripples[1]}, X_WQ, channels, with_depth)};
   }
 
   /// A single grey view, in which what a pair shares costs less: see RenderGrey.
   RadianceImage RenderGrey(const Scene& scene, const Camera& camera, const Pose3& X_WC,
-                           bool with_depth) {
+                           bool with_depth, const LensRipple& ripple) {
     const bool level = HasGround(scene.ground) && IsLevel(scene.ground);
     Prepare(scene, X_WC, {.shadow = ShadowFor(camera), .fan = {}, .ground = !level});
-    return std::move(RenderView(scene, camera, X_WC, {Channel::kGrey}, with_depth, level).front());
+    return std::move(
+        RenderView(scene, {camera, ripple}, X_WC, {Channel::kGrey}, with_depth, level).front());
   }
 
   /// Each channel of one view.
@@ -94,7 +96,8 @@ class StereoRenderer::Impl {
                                         const Eigen::Vector3d& p_W,
                                         const std::vector<Channel>& channels) {
     Prepare(scene, {Eigen::Matrix3d::Identity(), p_W});
-    return RenderIdeal(scene, camera, X_WC, channels, false);
+    const LensRipple none;
+    return RenderIdeal(scene, {camera, none}, X_WC, channels, false);
   }
 
   ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
@@ -106,6 +109,11 @@ class StereoRenderer::Impl {
   }
 
  private:
+  struct BuiltLens {
+    const Camera& camera;
+    const LensRipple& ripple;
+  };
+
   /// What all views share. X_WR: where the ground is finest.
   void Prepare(const Scene& scene, const Pose3& X_WR, ScenePainter::Detail detail = {}) {
     RequireSoundScene(scene);
@@ -120,24 +128,28 @@ class StereoRenderer::Impl {
   }
 
   /// With the stray light of the lens.
-  std::vector<RadianceImage> RenderView(const Scene& scene, const Camera& camera, const Pose3& X_WC,
-                                        const std::vector<Channel>& channels, bool with_depth,
-                                        bool level = false) {
-    auto images = RenderIdeal(scene, camera, X_WC, channels, with_depth, level);
+  std::vector<RadianceImage> RenderView(const Scene& scene, const BuiltLens& lens,
+                                        const Pose3& X_WC, const std::vector<Channel>& channels,
+                                        bool with_depth, bool level = false) {
+    auto images = RenderIdeal(scene, lens, X_WC, channels, with_depth, level);
     const StrayLight& stray = scene.light.stray;
     if (stray.none()) return images;
     const SunInLens sun = sun_sight_->Of(*painter_, scene, X_WC);
-    const SunStray of_sun = StrayOfSun(stray, lenses_.Of(camera, scene, X_WC).grid, sun);
+    const SunStray of_sun = StrayOfSun(stray, KeptOf(lens, scene, X_WC).grid, sun);
     for (std::size_t i = 0; i < images.size(); ++i) {
       const Reflected white = Reflect(scene.light, Eigen::Vector3d::Ones(), channels[i]);
-      AddStrayLight(stray, camera.focal_px().mean(), of_sun, white.sun, images[i]);
+      AddStrayLight(stray, lens.camera.focal_px().mean(), of_sun, white.sun, images[i]);
     }
     return images;
   }
-  std::vector<RadianceImage> RenderIdeal(const Scene& scene, const Camera& camera,
+  const KeptLens& KeptOf(const BuiltLens& lens, const Scene& scene, const Pose3& X_WC) {
+    return lenses_.Of(lens.camera, lens.ripple, scene, X_WC);
+  }
+  std::vector<RadianceImage> RenderIdeal(const Scene& scene, const BuiltLens& built,
                                          const Pose3& X_WC, const std::vector<Channel>& channels,
                                          bool with_depth, bool level = false) {
-    const KeptLens& lens = lenses_.Of(camera, scene, X_WC);
+    const Camera& camera = built.camera;
+    const KeptLens& lens = KeptOf(built, scene, X_WC);
     SizeView(camera, lens.rect, kWideDensity, kMostFlatPixels, wide_);
     painter_->PaintInto(wide_target_, X_WC, wide_);
     if (level) AddLevelGround(scene.ground, X_WC, wide_);
@@ -171,24 +183,24 @@ StereoRenderer::~StereoRenderer() = default;
 
 GlNames StereoRenderer::names() const { return impl_->Names(); }
 
-std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
-                                                            const StereoRig& rig, const Pose3& X_WR,
-                                                            bool with_depth) {
-  auto seen = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth);
+std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(
+    const Scene& scene, const StereoRig& rig, const Pose3& X_WR, bool with_depth,
+    const std::array<LensRipple, 2>& ripples) {
+  auto seen = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth, ripples);
   return {std::move(seen[0][0]), std::move(seen[1][0])};
 }
 
 RadianceImage StereoRenderer::RenderGrey(const Scene& scene, const Camera& camera,
-                                         const Pose3& X_WC, bool with_depth) {
-  return impl_->RenderGrey(scene, camera, X_WC, with_depth);
+                                         const Pose3& X_WC, bool with_depth,
+                                         const LensRipple& ripple) {
+  return impl_->RenderGrey(scene, camera, X_WC, with_depth, ripple);
 }
 
-std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(const Scene& scene,
-                                                                         const StereoRig& rig,
-                                                                         const Pose3& X_WR,
-                                                                         bool with_depth) {
-  auto seen =
-      impl_->Render(scene, rig, X_WR, {Channel::kRed, Channel::kGreen, Channel::kBlue}, with_depth);
+std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(
+    const Scene& scene, const StereoRig& rig, const Pose3& X_WR, bool with_depth,
+    const std::array<LensRipple, 2>& ripples) {
+  auto seen = impl_->Render(scene, rig, X_WR, {Channel::kRed, Channel::kGreen, Channel::kBlue},
+                            with_depth, ripples);
   std::array<std::array<RadianceImage, 3>, 2> colour;
   for (int view = 0; view < 2; ++view) {
     for (int channel = 0; channel < 3; ++channel) {

@@ -10,6 +10,8 @@
 
 #include "controller/geometry/camera.h"
 #include "controller/geometry/image.h"
+#include "render/kept_exposure.h"
+#include "render/lens_ripple.h"
 #include "render/radiance_image.h"
 #include "render/scene.h"
 
@@ -46,6 +48,15 @@ struct VideoOptions {
   bool interlaced = false;      // for ExposeVideo: odd lines are exposed a field after even ones
 };
 
+/// Pixels that do not measure light as the others do, at places drawn by the pattern's stream; none
+/// by default.
+struct DefectOptions {
+  double hot_share = 0.0;     // of the pixels
+  double hot_dark_e = 0.0;    // mean of their dark signal in this exposure; exponential
+  double hot_offset_e = 0.0;  // mean of what some of them add in every image; exponential
+  double dead_share = 0.0;    // of the pixels: without light
+};
+
 /// The sensor behind the lens. Equations and sources: docs/reference/images.md.
 struct SensorOptions {
   double full_well_e = 20000.0;
@@ -56,6 +67,7 @@ struct SensorOptions {
   double blur_sigma_px = 0.0;  // Gaussian, lens and pixel together
   Focus focus{};
   VideoOptions video{};
+  DefectOptions defects{};
   // Automatic exposure: the radiance that this share of pixels exceeds is put at target_level.
   double exposure_percent = 5.0;  // MSL navcam practice: 5 % of pixels above the cut
   double target_level = 0.49;     // 2000 of 4095
@@ -87,18 +99,20 @@ class StereoRenderer {
   GlNames names() const;
 
   /// Both ideal views. X_WR: rover body in the world; the rig is the world's, not the calibration.
+  /// ripples: of the left and the right lens.
   std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,
-                                              const Pose3& X_WR, bool with_depth = false);
+                                              const Pose3& X_WR, bool with_depth = false,
+                                              const std::array<LensRipple, 2>& ripples = {});
   /// One ideal view of a grey camera, at about half of what a pair costs. The ground is finest
   /// under it. The left view of a pair whose body is the camera's own frame, but that a level
   /// ground is drawn as a plane and that images under 1280 px get a shadow map as coarse as their
   /// pixels.
   RadianceImage RenderGrey(const Scene& scene, const Camera& camera, const Pose3& X_WC,
-                           bool with_depth = false);
+                           bool with_depth = false, const LensRipple& ripple = {});
   /// Red, green and blue of both ideal views; their luminance is what RenderRadiance gives.
-  std::array<std::array<RadianceImage, 3>, 2> RenderColour(const Scene& scene, const StereoRig& rig,
-                                                           const Pose3& X_WR,
-                                                           bool with_depth = false);
+  std::array<std::array<RadianceImage, 3>, 2> RenderColour(
+      const Scene& scene, const StereoRig& rig, const Pose3& X_WR, bool with_depth = false,
+      const std::array<LensRipple, 2>& ripples = {});
   /// Red, green and blue of one ideal view from anywhere. The ground is finest about `p_W`.
   std::array<RadianceImage, 3> RenderColourFrom(const Scene& scene, const Camera& camera,
                                                 const Pose3& X_WC, const Eigen::Vector3d& p_W);
@@ -128,8 +142,9 @@ std::array<std::array<DeepImage, 3>, 2> ExposeColour(
 /// state and its streams of noise.
 DeepImage ExposeOne(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor);
 GrayImage ExposeGrey(RadianceImage radiance, const Camera& camera, const SensorOptions& sensor);
-/// The image that the controller gets: the upper eight bits.
+/// The image that the controller gets: the upper eight bits. before: of a pair whose exposure is
+/// set by the images before (exposure_rule.h).
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
-                          const SensorOptions& sensor);
+                          const SensorOptions& sensor, KeptExposure* before = nullptr);
 
 }  // namespace dockyard

@@ -30,16 +30,17 @@ RadianceImage Interlaced(RadianceImage even, const RadianceImage& odd) {
 }
 
 StereoImages ExposeVideo(const PairAt& light, double field_px, const StereoRig& rig,
-                         const SensorOptions& sensor) {
-  if (!InTwo(field_px, sensor)) return ExposeStereo(light(0.0), rig, sensor);
-  return ExposeFields({light(-0.5 * kFieldApart_s), light(0.5 * kFieldApart_s)}, rig, sensor);
+                         const SensorOptions& sensor, KeptExposure* before) {
+  if (!InTwo(field_px, sensor)) return ExposeStereo(light(0.0), rig, sensor, before);
+  return ExposeFields({light(-0.5 * kFieldApart_s), light(0.5 * kFieldApart_s)}, rig, sensor,
+                      before);
 }
 
 GrayImage ExposeVideo(const OneAt& light, double field_px, const Camera& camera,
-                      const SensorOptions& sensor, KeptSensor& kept) {
-  if (!InTwo(field_px, sensor)) return ExposeGrey(light(0.0), camera, sensor, kept);
+                      const SensorOptions& sensor, KeptSensor& kept, KeptExposure* before) {
+  if (!InTwo(field_px, sensor)) return ExposeGrey(light(0.0), camera, sensor, kept, before);
   return ExposeFields({light(-0.5 * kFieldApart_s), light(0.5 * kFieldApart_s)}, camera, sensor,
-                      kept);
+                      kept, before);
 }
 
 }  // namespace dockyard

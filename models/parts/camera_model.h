@@ -22,7 +22,8 @@ struct CameraModel {
   Camera nominal;
   Pose3 X_LC;  // in its link
   CameraErrors errors;
-  // A colour camera has no bits, response_sigma, focus or bracket.
+  // A colour camera has no bits, response_sigma, focus, bracket, exposure by the image before,
+  // video, readout or defects.
   SensorModel sensor;
   double period_s = 0.1;   // from image to image
   double latency_s = 0.0;  // from the middle of an exposure until the controller has the image

@@ -111,12 +111,15 @@ void VisitCamera(Keys& keys, CameraFile& file) {
     VisitLensErrors(in, camera.errors.lens, Presence::kDefault);
   });
   keys.Mapping(Unset("sensor"), [&](Keys& in) {
-    for (const char* of_grey : {"response_sigma", "bits", "focus", "video"}) {
+    for (const char* of_grey :
+         {"response_sigma", "bits", "focus", "video", "defects", "readout_s"}) {
       in.Allow(of_grey, !camera.colour, "no such key of a colour camera");
     }
     VisitSensor(in, camera.sensor, Presence::kDefault);
     in.Check("exposure", !camera.colour || camera.sensor.exposure.rule != ExposureRule::kBracketed,
              "automatic or fixed for a colour camera");
+    in.Check("exposure", !camera.colour || camera.sensor.exposure.by == ExposureBy::kSame,
+             "no key 'by' for a colour camera, whose exposure follows with a lag");
     // render/colour_sensor.h draws no wider blur.
     in.Check("blur_sigma_px", !camera.colour || camera.sensor.blur_sigma_px <= 1.5,
              "at most 1.5 for a colour camera");

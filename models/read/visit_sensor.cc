@@ -4,8 +4,10 @@ namespace dockyard {
 namespace {
 
 void VisitExposure(Keys& keys, ExposureModel& exposure) {
-  keys.Choice({"rule", "", "by the image before, always the same, or in steps about it"},
+  keys.Choice({"rule", "", "by the light in an image, always the same, or in steps about it"},
               exposure.rule, {"automatic", "fixed", "bracketed"});
+  keys.Choice({"by", "", "which image's light sets it: the same one's, or that of the one before"},
+              exposure.by, {"same", "before"});
   keys.Number({"percent", "%", "of automatic: of the pixels, those brighter than level"},
               exposure.percent, Between(0.01, 99.0));
   keys.Number({"level", "", "of automatic: a share of the full well"}, exposure.level,
@@ -42,6 +44,17 @@ void VisitVideo(Keys& keys, double shutter_s, VideoModel& video) {
              "a shutter_s up to 1/60 next to interlaced");
 }
 
+void VisitDefects(Keys& keys, DefectModel& defects) {
+  keys.Number({"hot_share", "", "of the pixels: their dark signal is high"}, defects.hot_share,
+              NonNegative(0.1));
+  keys.Number({"hot_rate_e_per_s", "electrons/s", "mean of their dark signal in shutter_s"},
+              defects.hot_rate_e_per_s, NonNegative(1e7));
+  keys.Number({"hot_offset_e", "electrons", "mean of what two in five add to each image"},
+              defects.hot_offset_e, NonNegative(1e5));
+  keys.Number({"dead_share", "", "of the pixels: they get no light"}, defects.dead_share,
+              NonNegative(0.1));
+}
+
 }  // namespace
 
 void VisitLensErrors(Keys& keys, LensErrors& errors, Presence needed) {
@@ -51,6 +64,8 @@ void VisitLensErrors(Keys& keys, LensErrors& errors, Presence needed) {
               NonNegative(50.0));
   keys.Number({"radial_px", "px", "of the distortion half the width out, 1 sigma", needed},
               errors.radial_sigma_px, NonNegative(50.0));
+  keys.Number({"ripple_px", "px", "beyond its model: displacement of pixels, rms over the image"},
+              errors.ripple_px, NonNegative(1.0));
 }
 
 void VisitSensor(Keys& keys, SensorModel& sensor, Presence needed) {
@@ -66,10 +81,16 @@ void VisitSensor(Keys& keys, SensorModel& sensor, Presence needed) {
               sensor.response_sigma, NonNegative(0.2));
   keys.Number({"shutter_s", "s", "of an exposure; motion blurs it"}, sensor.shutter_s,
               NonNegative(0.1));
+  keys.Number({"readout_s", "s", "from the first row's exposure to the last's; 0: all at once"},
+              sensor.readout_s, NonNegative(0.1));
   keys.Integer({"bits", "", "of a pixel; a controller gets the upper eight"}, sensor.bits, 8, 16);
   keys.Mapping(Unset("exposure"), [&](Keys& in) { VisitExposure(in, sensor.exposure); });
   keys.Mapping(Unset("focus"), [&](Keys& in) { VisitFocus(in, sensor.focus); });
   keys.Mapping(Unset("video"), [&](Keys& in) { VisitVideo(in, sensor.shutter_s, sensor.video); });
+  keys.Mapping(Unset("defects"), [&](Keys& in) { VisitDefects(in, sensor.defects); });
+  keys.Check("readout_s",
+             sensor.readout_s == 0.0 || sensor.video.fields == VideoFields::kProgressive,
+             "0 next to interlaced video");
 }
 
 }  // namespace dockyard

@@ -68,8 +68,8 @@ void AxelJudge::ObserveSighting(const SightingReport& report) {
   const BuiltRun& built = plant_.built();
   const Pose3 X_RB = Inverse(truth.X_WR) * truth.X_WS * BoardInStation(built.world.station);
   const FiducialBoard& board = built.world.station.board;  // as many marks as are told
-  outcome_.ObserveSighting(plant_.truth().time_s,
-                           JudgeSighting(report, X_RB, built.built_rig, board, limits_));
+  outcome_.ObserveSighting(plant_.truth().time_s, JudgeSighting(report, X_RB, built.built_rig,
+                                                                board, limits_, built.ripples));
 }
 
 AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "render/rolling_shutter.h"
 #include "render/video_fields.h"
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/exposure.h"
@@ -70,25 +71,35 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
   return images;
 }
 
-// The middle of the exposure is now.
+// The middle of the middle row's exposure is now.
 StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
   StereoRenderer& renderer = renderer_->Get();
-  const double shutter_s = built_.world.rover.stereo.sensor.shutter_s;
+  const SensorModel& model = built_.world.rover.stereo.sensor;
+  const double shutter_s = model.shutter_s, readout_s = model.readout_s;
   const StereoRig& rig = built_.built_rig;
+  const double rows_px = BoardMotion_px(truth_, built_, readout_s);
+  const bool needs_depth = sensor.focus.distance_m > 0.0 || RowsDiffer(rows_px);
   const auto view = [&](double seconds, bool with_depth) {
     const Truth then = seconds == 0.0 ? truth_ : MovedOn(truth_, seconds);
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), rig, then.X_WR,
-                                   with_depth || sensor.focus.distance_m > 0.0);
+                                   with_depth || needs_depth, built_.ripples);
   };
-  const ExposureMotion motion =
-      MotionOverExposure(truth_.X_WR.R, truth_.v_WR_W, truth_.w_WR_W, shutter_s);
+  const auto motion_in = [&](double seconds) {
+    return MotionOverExposure(truth_.X_WR.R, truth_.v_WR_W, truth_.w_WR_W, seconds);
+  };
   const double motion_px = BoardMotion_px(truth_, built_, shutter_s);
   const auto light = [&](double middle_s) {
-    return OverExposure(motion_px, rig, motion, [&](double share, bool depth) {
+    return OverExposure(motion_px, rig, motion_in(shutter_s), [&](double share, bool depth) {
       return view(middle_s + share * shutter_s, depth);
     });
   };
-  return ExposeVideo(light, BoardMotion_px(truth_, built_, kFieldApart_s), rig, sensor);
+  const auto rows = [&](double middle_s) {
+    return OverReadout(rows_px, rig, motion_in(readout_s), PairInReadout([&](double share) {
+                         return light(middle_s + share * readout_s);
+                       }));
+  };
+  return ExposeVideo(rows, BoardMotion_px(truth_, built_, kFieldApart_s), rig, sensor,
+                     ExposureBefore(model, exposure_));
 }
 
 void AxelPlant::Advance(const Commands& commands) {

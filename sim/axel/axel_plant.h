@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "controller/geometry/axle_attitude.h"
+#include "render/kept_exposure.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
@@ -41,6 +42,7 @@ class AxelPlant final : public WorldPlant<World, BuiltRun> {
   SceneBuilder scene_;
   std::vector<Eigen::Vector3d> rock_corners_W_;
   int pairs_taken_ = 0;
+  KeptExposure exposure_;  // that the pair before set
   Truth exposed_truth_;
 };
 

@@ -225,6 +225,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   CheckImagesCanBeDrawn(world.rover.stereo.nominal, scenario.camera_place);
   CheckStationHolds(scenario, world.station);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
+  run.ripples = BuiltRipples(world.rover.stereo, scenario.seed);
   run.X_WD = SiteOf(scenario) * FromGround(world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
                               scenario.sun);

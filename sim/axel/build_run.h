@@ -2,7 +2,10 @@
 // controller gets. All dispersion between the two is drawn here.
 #pragma once
 
+#include <array>
+
 #include "controller/axel/nominal/nominal.h"
+#include "render/lens_ripple.h"
 #include "sim/axel/load_models.h"
 #include "sim/axel/world.h"
 #include "sim/plant/light.h"
@@ -12,8 +15,9 @@ namespace dockyard::axel {
 
 struct BuiltRun {
   WorldSetup world;
-  StereoRig built_rig;  // the cameras that see
-  Nominal nominal;      // what the controller gets
+  StereoRig built_rig;                  // the cameras that see
+  std::array<LensRipple, 2> ripples{};  // of their lenses, beyond their model: left, right
+  Nominal nominal;                      // what the controller gets
   Lighting lighting;
   Pose3 X_WD;                           // dock where it was put
   std::string start_place, yard_place;  // in the scenario's file, for messages

@@ -72,7 +72,7 @@ std::optional<Eigen::Vector2d> PolygonCentroid(const std::vector<Eigen::Vector2d
 }  // namespace
 
 std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& camera,
-                                          const Pose3& X_WC) {
+                                          const Pose3& X_WC, const LensRipple& ripple) {
   const auto triangles = Triangles(scene);
   const Pose3 X_CW = Inverse(X_WC);
   const double radius = 0.5 * scene.boards[0].board.disc_diameter_m;
@@ -83,11 +83,12 @@ std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& came
                                                     fiducial.p_BF.y() + r * std::sin(angle), 0.0);
     };
     FiducialPixels truth;
-    truth.centre = camera.Project(X_CW * point_W(0.0, 0.0));
+    truth.centre = ProjectWith(ripple, camera, X_CW * point_W(0.0, 0.0));
     std::vector<Eigen::Vector2d> outline;
     truth.whole = true;
     for (int i = 0; i < kOutlinePoints; ++i) {
-      const auto pixel = camera.Project(X_CW * point_W(radius, 2.0 * kPi * i / kOutlinePoints));
+      const auto pixel =
+          ProjectWith(ripple, camera, X_CW * point_W(radius, 2.0 * kPi * i / kOutlinePoints));
       if (!pixel || !camera.Sees(*pixel)) truth.whole = false;
       if (pixel) outline.push_back(*pixel);
     }

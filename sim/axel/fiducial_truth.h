@@ -6,6 +6,7 @@
 
 #include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
+#include "render/lens_ripple.h"
 #include "render/scene.h"
 
 namespace dockyard::axel {
@@ -17,8 +18,9 @@ struct FiducialPixels {
   double hidden = 0.0;                      // share of the disc behind other objects, 0..1
 };
 
-/// One entry per fiducial of the scene's board, seen by the camera at X_WC.
+/// One entry per fiducial of the scene's board, seen by the camera at X_WC, whose lens has this
+/// ripple.
 std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& camera,
-                                          const Pose3& X_WC);
+                                          const Pose3& X_WC, const LensRipple& ripple = {});
 
 }  // namespace dockyard::axel

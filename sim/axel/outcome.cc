@@ -73,7 +73,8 @@ const char* Name(Outcome outcome) {
 
 SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_true,
                               const StereoRig& built, const FiducialBoard& board,
-                              const OutcomeLimits& limits) {
+                              const OutcomeLimits& limits,
+                              const std::array<LensRipple, 2>& ripples) {
   std::array<int, 2> right{}, wrong{};
   for (const SightingReport::Mark& mark : report.marks) {
     if (mark.id < 0 || mark.id >= static_cast<int>(board.fiducials.size())) continue;
@@ -81,7 +82,7 @@ SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_tr
     const Pose3 X_CB = Inverse(mark.camera == kRightCamera ? built.X_RQ : built.X_RL) * X_RB_true;
     const Eigen::Vector2d& p_BF = board.fiducials[mark.id].p_BF;
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(p_BF.x(), p_BF.y(), 0.0);
-    const auto pixel = camera.Project(p_C);
+    const auto pixel = ProjectWith(ripples[mark.camera == kRightCamera ? 1 : 0], camera, p_C);
     // A near disc is many pixels wide: a detection within a tenth of its diameter is still right.
     const double gate = std::max(limits.mark_gate_px,
                                  0.1 * camera.focal_px().x() * board.disc_diameter_m / p_C.norm());

@@ -1,6 +1,7 @@
 // The outcome of a run, judged from the truth alone. docs/reference/outcomes.md explains all.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "controller/io/commands.h"
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
+#include "render/lens_ripple.h"
 #include "sim/axel/world.h"
 #include "sim/log/judged_limit.h"
 
@@ -72,10 +74,12 @@ OutcomeLimits LimitsOf(const RoverModel& rover, const StationModel& station);
 /// How one sighting of the board went, by the truth.
 enum class SightingQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
 
-/// Compares a sighting with the true pixels of the board's fiducials in both built cameras.
+/// Compares a sighting with the true pixels of the board's fiducials in both built cameras, whose
+/// lenses have these ripples.
 SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_true,
                               const StereoRig& built, const FiducialBoard& board,
-                              const OutcomeLimits& limits);
+                              const OutcomeLimits& limits,
+                              const std::array<LensRipple, 2>& ripples = {});
 
 /// The shake after a claim: what it did to the rover.
 struct ShakeResult {

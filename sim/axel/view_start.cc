@@ -16,9 +16,10 @@
 namespace dockyard::axel {
 namespace {
 
-Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) {
+Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC,
+                   const LensRipple& ripple) {
   Json list = Json::array();
-  const auto fiducials = TrueFiducials(scene, camera, X_WC);
+  const auto fiducials = TrueFiducials(scene, camera, X_WC, ripple);
   for (std::size_t id = 0; id < fiducials.size(); ++id) {
     const FiducialPixels& truth = fiducials[id];
     list.push_back({{"id", id},
@@ -30,11 +31,12 @@ Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) 
   return list;
 }
 
-void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
+void WriteImages(const Scene& scene, const BuiltRun& built, const Pose3& X_WR,
                  const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
+  const StereoRig& rig = built.built_rig;
   const std::unique_ptr<StereoRenderer> renderer = MakeRenderer();
   const bool with_depth = sensor.focus.distance_m > 0.0;
-  const auto radiance = renderer->RenderRadiance(scene, rig, X_WR, with_depth);
+  const auto radiance = renderer->RenderRadiance(scene, rig, X_WR, with_depth, built.ripples);
   const StereoImages images = ExposeStereo(radiance, rig, sensor);
   // A camera that gives no picture leaves no file, not even one of an earlier view.
   const auto write = [&](std::size_t view, const char* file, const auto& image) {
@@ -52,7 +54,8 @@ void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
     write(1, "right_deep.png", deep[1]);
   }
   if (!colour) return;
-  const auto rgb = ExposeColour(renderer->RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
+  const auto rgb = ExposeColour(renderer->RenderColour(scene, rig, X_WR, with_depth, built.ripples),
+                                rig, sensor);
   write(0, "left_colour.png", rgb[0]);
   write(1, "right_colour.png", rgb[1]);
 }
@@ -70,7 +73,7 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
                        SiteOf(scenario), scenario.seed);
   builder.AddRocks(built.world.rocks);
   const Scene scene = builder.Make(truth, world.ground());
-  WriteImages(scene, built.built_rig, truth.X_WR,
+  WriteImages(scene, built, truth.X_WR,
               WithFaults(CameraSensor(built.world.rover.stereo, scenario.seed, 0),
                          scenario.camera_faults, scenario.seed),
               scenario.colour, out_dir);
@@ -81,8 +84,10 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
   view["seed"] = scenario.seed.number;
   view["X_RB"] = ToJson(X_RB);
   view["X_DR"] = ToJson(truth.X_DR);
-  view["left"] = FiducialsJson(scene, built.built_rig.left, truth.X_WR * built.built_rig.X_RL);
-  view["right"] = FiducialsJson(scene, built.built_rig.right, truth.X_WR * built.built_rig.X_RQ);
+  view["left"] = FiducialsJson(scene, built.built_rig.left, truth.X_WR * built.built_rig.X_RL,
+                               built.ripples[0]);
+  view["right"] = FiducialsJson(scene, built.built_rig.right, truth.X_WR * built.built_rig.X_RQ,
+                                built.ripples[1]);
   WriteWhole(out_dir / "view.json", view.dump(2) + "\n");
 }
 

@@ -24,6 +24,42 @@ Camera BentCamera(const Camera& camera, const LensErrors& errors, RandomStream& 
   return Bent(camera, errors.radial_sigma_px * random.Normal());
 }
 
+/// A steeper ripple would bring two pixels the same ray, or nearly: this one's slope is below 1/2.
+void CheckRipple(const Camera& camera, double rms_px) {
+  constexpr double kMostOfHalfDiagonal = 0.005;
+  const double most_px = kMostOfHalfDiagonal * 0.5 * std::hypot(camera.width, camera.height);
+  if (rms_px <= most_px) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "as_built.ripple_px: expected at most %.2f px, a 400th of the diagonal of %d x %d "
+                "pixels, found %.2f",
+                most_px, camera.width, camera.height, rms_px);
+  throw ConfigError(text);
+}
+
+/// A ripple of 2 to 3 rings over half the image's diagonal, and three waves of 1 to 2.5 turns in
+/// it: residuals of parametric models have such patterns (Schoeps et al., Why Having 10,000
+/// Parameters in Your Camera Model Is Better Than Twelve, CVPR 2020, figure 1); the numbers are
+/// assumed. The stream is its own, so that a run keeps its other errors.
+LensRipple DrawnRipple(const Camera& camera, double rms_px, const Seed& run_seed,
+                       const std::string& stream) {
+  if (rms_px == 0.0) return {};
+  CheckRipple(camera, rms_px);
+  RandomStream random(StreamKey(run_seed, stream + " ripple"));
+  LensRipple ripple;
+  ripple.ring_px = 1.0;
+  ripple.ring_turns = random.Uniform(2.0, 3.0);
+  ripple.ring_phase_rad = random.Uniform(0.0, 2.0 * kPi);
+  for (LensRipple::Wave& wave : ripple.waves) {
+    const double towards = random.Uniform(0.0, 2.0 * kPi);
+    const double shifted = random.Uniform(0.0, 2.0 * kPi);
+    wave.turns = random.Uniform(1.0, 2.5) * Eigen::Vector2d(std::cos(towards), std::sin(towards));
+    wave.shift_px = {std::cos(shifted), std::sin(shifted)};
+    wave.phase_rad = random.Uniform(0.0, 2.0 * kPi);
+  }
+  return ScaledTo(ripple, camera.width, camera.height, rms_px);
+}
+
 Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {
   X_RC.R = X_RC.R * RotY(about_y) * RotX(about_x) * RotZ(about_z);
   return X_RC;
@@ -49,6 +85,10 @@ SensorOptions SensorOf(const SensorModel& model, int index, std::uint64_t noise_
           .video = {.noise_share = model.video.noise_share,
                     .line_jitter_px = model.video.line_jitter_px,
                     .interlaced = model.video.fields == VideoFields::kInterlaced},
+          .defects = {.hot_share = model.defects.hot_share,
+                      .hot_dark_e = model.defects.hot_rate_e_per_s * model.shutter_s,
+                      .hot_offset_e = model.defects.hot_offset_e,
+                      .dead_share = model.defects.dead_share},
           .exposure_percent = exposure.percent,
           .target_level = exposure.level,
           .fixed_exposure_e = exposure.fixed_e,
@@ -76,6 +116,13 @@ StereoRig BuiltRig(const StereoModel& stereo, const Seed& run_seed, const std::s
   return built;
 }
 
+std::array<LensRipple, 2> BuiltRipples(const StereoModel& stereo, const Seed& run_seed,
+                                       const std::string& stream) {
+  const double rms_px = stereo.lens.ripple_px;
+  return {DrawnRipple(stereo.nominal.left, rms_px, run_seed, stream + " left"),
+          DrawnRipple(stereo.nominal.right, rms_px, run_seed, stream + " right")};
+}
+
 SensorOptions CameraSensor(const StereoModel& stereo, const Seed& run_seed, int index) {
   return SensorOf(stereo.sensor, index, StreamKey(run_seed, "camera"),
                   StreamKey(run_seed, "response"));
@@ -91,6 +138,7 @@ BuiltOne BuiltCamera(const CameraModel& model, const Seed& run_seed, const std::
   const double s = errors.rotation_sigma_rad;
   built.X_LC = Turned(built.X_LC, s * off[0], s * off[1], s * off[2]);
   built.X_LC.p += errors.place_sigma_m * Eigen::Vector3d(off[3], off[4], off[5]);
+  built.ripple = DrawnRipple(model.nominal, errors.lens.ripple_px, run_seed, stream);
   return built;
 }
 
@@ -110,6 +158,10 @@ ColourSensorOptions ColourSensorOf(const CameraModel& model) {
     options.fixed_exposure_e = sensor.exposure.fixed_e;
   }
   return options;
+}
+
+KeptExposure* ExposureBefore(const SensorModel& model, KeptExposure& kept) {
+  return model.exposure.by == ExposureBy::kBefore ? &kept : nullptr;
 }
 
 void CheckImageCanBeDrawn(const Camera& camera, const std::string& place) {

@@ -1,6 +1,7 @@
 // Stereo pairs and single cameras as they are built, and their sensors.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -17,13 +18,18 @@ namespace dockyard {
 StereoRig BuiltRig(const StereoModel& stereo, const Seed& run_seed,
                    const std::string& stream = "calibration");
 
+/// What the lenses of the left and the right camera do beyond their model, in this run.
+std::array<LensRipple, 2> BuiltRipples(const StereoModel& stereo, const Seed& run_seed,
+                                       const std::string& stream = "calibration");
+
 /// The pair's sensor, for image number index of a run.
 SensorOptions CameraSensor(const StereoModel& stereo, const Seed& run_seed, int index);
 
 /// A single camera with the manufacturing errors of this run.
 struct BuiltOne {
   Camera camera;
-  Pose3 X_LC;  // in its link
+  Pose3 X_LC;           // in its link
+  LensRipple ripple{};  // beyond the lens's model
 };
 BuiltOne BuiltCamera(const CameraModel& model, const Seed& run_seed, const std::string& stream);
 
@@ -32,6 +38,9 @@ SensorOptions CameraSensor(const CameraModel& model, const Seed& run_seed, int i
                            const std::string& stream);
 /// That of a colour camera, which sets its own white balance.
 ColourSensorOptions ColourSensorOf(const CameraModel& model);
+
+/// `kept` where the image before sets the exposure, else null.
+KeptExposure* ExposureBefore(const SensorModel& model, KeptExposure& kept);
 
 /// Throws ConfigError when an image of this camera reaches further from the lens's axis than the
 /// renderer draws (docs/reference/images.md). The message begins with `place`.

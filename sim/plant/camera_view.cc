@@ -2,6 +2,7 @@
 
 #include "controller/base/check.h"
 #include "controller/base/split_mix.h"
+#include "render/rolling_shutter.h"
 #include "render/video_fields.h"
 
 namespace dockyard {
@@ -45,22 +46,30 @@ GrayImage SimulatedCamera::TakeGrey(StereoRenderer& renderer, const SceneAt& sce
   SensorOptions sensor = CameraSensor(model_, seed_, taken_, stream_);
   sensor.exposure_stops += conditions.exposure_stops;
   if (conditions.faults) conditions.faults(sensor);
-  const double shutter_s = model_.sensor.shutter_s;
+  const double shutter_s = model_.sensor.shutter_s, readout_s = model_.sensor.readout_s;
+  const double nearest_m = conditions.nearest_m;
+  const double rows_px = MotionIn_px(motion, nearest_m, readout_s);
+  const bool needs_depth = sensor.focus.distance_m > 0.0 || RowsDiffer(rows_px);
   const auto view = [&](double seconds, bool with_depth) {
     return renderer.RenderGrey(scene(seconds), built_.camera,
                                MovedOn(motion.X_WC, motion.v_WC_W, motion.w_WC_W, seconds),
-                               with_depth || sensor.focus.distance_m > 0.0);
+                               with_depth || needs_depth, built_.ripple);
   };
-  const ExposureMotion moved =
-      MotionOverExposure(motion.X_WC.R, motion.v_WC_W, motion.w_WC_W, shutter_s);
-  const double nearest_m = conditions.nearest_m;
+  const auto moved_in = [&](double seconds) {
+    return MotionOverExposure(motion.X_WC.R, motion.v_WC_W, motion.w_WC_W, seconds);
+  };
   const auto light = [&](double middle_s) {
     return OverExposure(
-        MotionIn_px(motion, nearest_m, shutter_s), built_.camera, moved,
+        MotionIn_px(motion, nearest_m, shutter_s), built_.camera, moved_in(shutter_s),
         [&](double share, bool depth) { return view(middle_s + share * shutter_s, depth); });
   };
-  return ExposeVideo(OneAt(light), MotionIn_px(motion, nearest_m, kFieldApart_s), built_.camera,
-                     sensor, kept_);
+  const auto rows = [&](double middle_s) {
+    return OverReadout(rows_px, built_.camera, moved_in(readout_s), OneInReadout([&](double share) {
+                         return light(middle_s + share * readout_s);
+                       }));
+  };
+  return ExposeVideo(OneAt(rows), MotionIn_px(motion, nearest_m, kFieldApart_s), built_.camera,
+                     sensor, kept_, ExposureBefore(model_.sensor, exposure_));
 }
 
 RgbImage SimulatedCamera::TakeColour(StereoRenderer& renderer, const Scene& scene,
@@ -73,7 +82,8 @@ RgbImage SimulatedCamera::TakeColour(StereoRenderer& renderer, const Scene& scen
                       StepsUnderBlur(sensor.blur_sigma_px));
   const ColourView view{.camera = built_.camera,
                         .hole = {},
-                        .vignetting_exponent = model_.sensor.vignetting_exponent};
+                        .vignetting_exponent = model_.sensor.vignetting_exponent,
+                        .ripple = built_.ripple};
   const ColourRadiance light = renderer.RenderThrough(scene, colours, view, poses);
   const double since_s = taken_ > 0 ? static_cast<double>(now - last_) * kTickSeconds : 0.0;
   const std::uint64_t key =

@@ -22,7 +22,8 @@ CameraMotion CameraOnLink(const Pose3& X_LC, const Pose3& X_WL, const Eigen::Vec
                           const Eigen::Vector3d& w_WL_W);
 
 /// Takes the images of one camera in a run. It keeps what the camera keeps from image to image: the
-/// number of its images, and a colour camera's exposure and white balance.
+/// number of its images, the exposure that the image before sets, and a colour camera's exposure
+/// and white balance.
 class SimulatedCamera {
  public:
   /// number: as in SensorFrame. The errors and the noise follow from the seed and the camera's
@@ -31,6 +32,7 @@ class SimulatedCamera {
 
   const CameraModel& model() const { return model_; }
   const Camera& built() const { return built_.camera; }
+  const LensRipple& ripple() const { return built_.ripple; }
   const Pose3& X_LC() const { return built_.X_LC; }
 
   /// The scene `seconds` after the middle of the exposure: the world may be at rest for so long,
@@ -43,7 +45,8 @@ class SimulatedCamera {
     std::function<void(SensorOptions&)> faults{};  // of grey cameras; it changes their sensor
   };
   /// colours: of the scene's materials; a grey camera needs none. now: of the middle of the
-  /// exposure, which the image has as its own. A silent camera's image has no pixels.
+  /// exposure of the middle row, which the image has as its own. A silent camera's image has no
+  /// pixels.
   CameraImage Take(StereoRenderer& renderer, const SceneAt& scene, const ColourTable* colours,
                    const CameraMotion& motion, Tick now, const Conditions& conditions);
 
@@ -60,6 +63,7 @@ class SimulatedCamera {
   std::string stream_;
   BuiltOne built_;
   KeptSensor kept_;
+  KeptExposure exposure_;
   ColourSensorState colour_state_;
   Tick last_ = 0;
 };

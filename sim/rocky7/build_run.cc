@@ -173,6 +173,9 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   run.front = BuiltRig(robot.front, scenario.seed);
   run.back = BuiltRig(robot.back, scenario.seed, "back_calibration");
   run.mast_pair = BuiltRig(robot.mast_pair, scenario.seed, "mast_calibration");
+  run.front_ripples = BuiltRipples(robot.front, scenario.seed);
+  run.back_ripples = BuiltRipples(robot.back, scenario.seed, "back_calibration");
+  run.mast_ripples = BuiltRipples(robot.mast_pair, scenario.seed, "mast_calibration");
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
   AddScenery(scenario, world.ground, SiteInWorld(world.X_WG, world.slope), Pose2{}, run.lighting);

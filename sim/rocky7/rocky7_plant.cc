@@ -3,6 +3,7 @@
 #include <map>
 
 #include "controller/base/check.h"
+#include "render/rolling_shutter.h"
 #include "render/video_fields.h"
 #include "sim/plant/built_cameras.h"
 #include "sim/rocky7/user_click.h"
@@ -60,11 +61,16 @@ SensorFrame Rocky7Plant::Sense() {
 Rocky7Plant::PairView Rocky7Plant::PairOf(int camera) const {
   const RobotModel& robot = built_.world.robot;
   if (camera == kMastLeft || camera == kMastRight) {
-    return {robot.mast_pair, built_.mast_pair, kMastLeft, truth_.w_WK_W, truth_.v_WK_W};
+    return {robot.mast_pair, built_.mast_pair, built_.mast_ripples,
+            kMastLeft,       truth_.w_WK_W,    truth_.v_WK_W};
   }
   const bool back = camera == kBackLeft || camera == kBackRight;
-  return {back ? robot.back : robot.front, back ? built_.back : built_.front,
-          back ? kBackLeft : kFrontLeft, truth_.w_WR_W, truth_.v_WR_W};
+  return {back ? robot.back : robot.front,
+          back ? built_.back : built_.front,
+          back ? built_.back_ripples : built_.front_ripples,
+          back ? kBackLeft : kFrontLeft,
+          truth_.w_WR_W,
+          truth_.v_WR_W};
 }
 
 std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras,
@@ -87,26 +93,34 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
   SensorOptions sensor = CameraSensor(pair.model, seed_, pairs_taken_++);
   sensor.exposure_stops += exposure_stops;
   StereoRenderer& renderer = renderer_->Get();
-  const double shutter_s = pair.model.sensor.shutter_s;
-  const auto view = [&](double seconds, bool with_depth) {
-    const Truth then = seconds == 0.0 ? truth_ : MovedOn(truth_, seconds);
-    const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
-    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
-                                   with_depth || sensor.focus.distance_m > 0.0);
-  };
-  const Pose3 X_WB = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
-  const ExposureMotion motion =
-      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, shutter_s);
+  const double shutter_s = pair.model.sensor.shutter_s, readout_s = pair.model.sensor.readout_s;
   const auto motion_px = [&](double over_s) {
     return MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
                                kNearest_m, over_s);
   };
-  const auto light = [&](double middle_s) {
-    return OverExposure(motion_px(shutter_s), pair.built, motion, [&](double share, bool depth) {
-      return view(middle_s + share * shutter_s, depth);
-    });
+  const bool needs_depth = sensor.focus.distance_m > 0.0 || RowsDiffer(motion_px(readout_s));
+  const auto view = [&](double seconds, bool with_depth) {
+    const Truth then = seconds == 0.0 ? truth_ : MovedOn(truth_, seconds);
+    const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
+    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
+                                   with_depth || needs_depth, pair.ripples);
   };
-  return ExposeVideo(light, motion_px(kFieldApart_s), pair.built, sensor);
+  const Pose3 X_WB = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
+  const auto motion_in = [&](double seconds) {
+    return MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, seconds);
+  };
+  const auto light = [&](double middle_s) {
+    return OverExposure(
+        motion_px(shutter_s), pair.built, motion_in(shutter_s),
+        [&](double share, bool depth) { return view(middle_s + share * shutter_s, depth); });
+  };
+  const auto rows = [&](double middle_s) {
+    return OverReadout(
+        motion_px(readout_s), pair.built, motion_in(readout_s),
+        PairInReadout([&](double share) { return light(middle_s + share * readout_s); }));
+  };
+  return ExposeVideo(rows, motion_px(kFieldApart_s), pair.built, sensor,
+                     ExposureBefore(pair.model.sensor, exposures_[pair.left]));
 }
 
 void Rocky7Plant::Advance(const Commands& commands) {

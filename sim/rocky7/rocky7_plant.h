@@ -1,8 +1,11 @@
 // Rocky 7, its target and the ground as the plant of one run.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 
+#include "render/kept_exposure.h"
 #include "sim/drives/sensor_suite.h"
 #include "sim/rocky7/build_run.h"
 #include "sim/rocky7/rocky7_columns.h"
@@ -37,6 +40,7 @@ class Rocky7Plant final : public WorldPlant<World, BuiltRun> {
   struct PairView {
     const StereoModel& model;
     const StereoRig& built;
+    const std::array<LensRipple, 2>& ripples;
     int left = 0;  // number of its left camera
     Eigen::Vector3d turning_rad_s, speed_m_s;
   };
@@ -46,6 +50,7 @@ class Rocky7Plant final : public WorldPlant<World, BuiltRun> {
   SensorSuite sensors_;
   SceneBuilder scene_;
   int pairs_taken_ = 0;
+  std::map<int, KeptExposure> exposures_;  // of the pairs, by their left cameras
   Eigen::Vector3d target_G_{0, 0, 0};
 };
 

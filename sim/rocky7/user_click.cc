@@ -32,19 +32,21 @@ bool IsOnTarget(const Rocky7Keys& keys, const Eigen::Vector3d& from_middle_G) {
 
 struct StartCamera {
   const StereoRig& rig;
-  Pose3 X_GC;  // the left camera
+  const LensRipple& ripple;  // of the left camera
+  Pose3 X_GC;                // the left camera
 };
 
 StartCamera StartCameraOf(const BuiltRun& run, const Truth& truth) {
   const bool by_mast = run.world.boulder.has_value();
   const StereoRig& rig = by_mast ? run.mast_pair : run.front;
   const Pose3 X_GW = Inverse(SiteInWorld(run.world.X_WG, run.world.slope));
-  return {rig, X_GW * (by_mast ? truth.X_WK : truth.X_WR) * rig.X_RL};
+  const LensRipple& ripple = (by_mast ? run.mast_ripples : run.front_ripples)[0];
+  return {rig, ripple, X_GW * (by_mast ? truth.X_WK : truth.X_WR) * rig.X_RL};
 }
 
 Eigen::Vector2d PixelOf(const StartCamera& from, const Eigen::Vector3d& p_G,
                         const std::string& otherwise) {
-  const auto pixel = from.rig.left.Project(Inverse(from.X_GC) * p_G);
+  const auto pixel = ProjectWith(from.ripple, from.rig.left, Inverse(from.X_GC) * p_G);
   if (!pixel || !from.rig.left.Sees(*pixel, kMargin * from.rig.left.width)) {
     throw ConfigError(otherwise);
   }
@@ -60,7 +62,8 @@ std::optional<Eigen::Vector2d> ClickAbout(const Scenario& scenario, const StartC
   for (int click = 0; click < kMostClicks; ++click) {
     const double u = hand.Normal(), v = hand.Normal();
     const Eigen::Vector2d pixel = aim + sigma_px * Eigen::Vector2d(u, v);
-    if (accepts(from.X_GC.R * from.rig.left.Direction(pixel))) return pixel;
+    const Eigen::Vector3d ray_C = RayWith(from.ripple, from.rig.left, pixel).direction;
+    if (accepts(from.X_GC.R * ray_C)) return pixel;
   }
   return std::nullopt;
 }

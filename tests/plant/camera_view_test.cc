@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "plant/dock_room.h"
+#include "render/exposure_rule.h"
 #include "render/measure.h"
+#include "render/optics.h"
 #include "render/shutter.h"
 
 namespace dockyard {
@@ -182,6 +184,106 @@ TEST(SimulatedCamera, OfACameraAtRestInterlacedVideoIsTheWholeImage) {
   model.sensor.video.fields = VideoFields::kInterlaced;
   SimulatedCamera video(model, 7, 0);
   EXPECT_EQ(GreyOf(shot.Take(video, motion)), GreyOf(shot.Take(whole, motion)));
+}
+
+TEST(SimulatedCamera, ItsSecondImageHasTheExposureOfTheRuleOnTheFirst) {
+  Shot shot;
+  const CameraMotion near{shot.room.CameraAt(0.4)}, far{shot.room.CameraAt(2.0)};
+  CameraModel model = SmallCamera();
+  const CameraModel same = model;
+  model.sensor.exposure.by = ExposureBy::kBefore;
+  SimulatedCamera before(model, 7, 0), itself(same, 7, 0);
+  EXPECT_EQ(GreyOf(shot.Take(before, near)), GreyOf(shot.Take(itself, near)));
+  // The rule on the first image's light.
+  const SensorOptions sensor = CameraSensor(model, 7, 0, "camera front");
+  RadianceImage light =
+      shot.renderer.RenderGrey(shot.room.SceneAt(near.X_WC), before.built(), near.X_WC);
+  ApplyOptics(before.built(), sensor, light);
+  CameraModel fixed = model;
+  fixed.sensor.exposure = {.rule = ExposureRule::kFixed,
+                           .fixed_e = ElectronsOfRadiance({&light, 1}, sensor)};
+  SimulatedCamera by_hand(fixed, 7, 0);
+  shot.Take(by_hand, near);
+  const GrayImage second = GreyOf(shot.Take(before, far));
+  EXPECT_EQ(second, GreyOf(shot.Take(by_hand, far)));
+  EXPECT_NE(second, GreyOf(shot.Take(itself, far)));
+}
+
+TEST(SimulatedCamera, RowsOfARollingShutterAreThoseOfTheirTimes) {
+  Shot shot;
+  CameraMotion motion{shot.room.CameraAt(0.6)};
+  motion.v_WC_W = {0.0, 0.3, 0.0};
+  motion.w_WC_W = {0.0, 0.0, 2.0};  // 9 px in the readout
+  CameraModel model = SmallCamera();
+  model.sensor.shutter_s = 0.0;
+  model.sensor.full_well_e = 1e6;
+  model.sensor.exposure = {.rule = ExposureRule::kFixed, .fixed_e = 9e5};
+  const auto at = [&](double seconds) {
+    SimulatedCamera whole(model, 7, 0);
+    const Pose3 X_WC = MovedOn(motion.X_WC, motion.v_WC_W, motion.w_WC_W, seconds);
+    return GreyOf(shot.Take(whole, {X_WC}));
+  };
+  const GrayImage now = at(0.0);
+  model.sensor.readout_s = 0.03;
+  SimulatedCamera rolling(model, 7, 0);
+  const GrayImage image = GreyOf(shot.Take(rolling, motion));
+  model.sensor.readout_s = 0.0;
+  // Of the board's upper and lower half: further up and down all is even.
+  for (const int first : {30, 70}) {
+    double off = 0.0, moved = 0.0;
+    for (int y = first; y < first + 30; ++y) {
+      const GrayImage then = at(0.03 * ((y + 0.5) / 120.0 - 0.5));
+      for (int x = 0; x < image.width; ++x) {
+        off += std::pow(image.at(x, y) - then.at(x, y), 2.0);
+        moved += std::pow(now.at(x, y) - then.at(x, y), 2.0);
+      }
+    }
+    EXPECT_LT(std::sqrt(off), 0.35 * std::sqrt(moved)) << "from row " << first;
+  }
+}
+
+TEST(SimulatedCamera, OfACameraAtRestARollingShutterGivesTheWholeImage) {
+  Shot shot;
+  const CameraMotion motion{shot.room.CameraAt(0.6)};
+  CameraModel model = SmallCamera();
+  SimulatedCamera whole(model, 7, 0);
+  model.sensor.readout_s = 0.05;
+  SimulatedCamera rolling(model, 7, 0);
+  EXPECT_EQ(GreyOf(shot.Take(rolling, motion)), GreyOf(shot.Take(whole, motion)));
+}
+
+TEST(SimulatedCamera, ItsHotPixelsShineWithTheShutter) {
+  Shot shot;
+  const CameraMotion motion{shot.room.CameraAt(1.0)};
+  CameraModel model = SmallCamera();
+  model.sensor.read_noise_e = 0.0;
+  model.sensor.defects = {.hot_share = 0.02, .hot_rate_e_per_s = 1e5};
+  model.sensor.exposure = {.rule = ExposureRule::kFixed, .fixed_e = 1e-6};  // no light
+  const auto sum_of = [&](double shutter_s) {
+    model.sensor.shutter_s = shutter_s;
+    SimulatedCamera camera(model, 7, 0);
+    double sum_e = 0.0;
+    const GrayImage image = GreyOf(shot.Take(camera, motion));
+    for (const std::uint8_t p : image.pixels) sum_e += p * model.sensor.full_well_e / 255.0;
+    return sum_e;
+  };
+  // 384 hot pixels of 500 and 1000 electrons, each law's mean within 5 %, 1 sigma.
+  EXPECT_NEAR(sum_of(0.005), 384.0 * 500.0, 0.25 * 384.0 * 500.0);
+  EXPECT_NEAR(sum_of(0.01) / sum_of(0.005), 2.0, 0.1);
+  EXPECT_EQ(sum_of(0.0), 0.0);
+}
+
+TEST(SimulatedCamera, ItsLensRipplesAsItIsBuilt) {
+  Shot shot;
+  const CameraMotion motion{shot.room.CameraAt(0.6)};
+  CameraModel model = SmallCamera();
+  SimulatedCamera plain(model, 7, 0);
+  model.errors.lens.ripple_px = 0.4;
+  SimulatedCamera rippled(model, 7, 0);
+  EXPECT_TRUE(plain.ripple().none());
+  EXPECT_FALSE(rippled.ripple().none());
+  EXPECT_EQ(plain.built(), rippled.built());
+  EXPECT_NE(GreyOf(shot.Take(plain, motion)), GreyOf(shot.Take(rippled, motion)));
 }
 
 }  // namespace

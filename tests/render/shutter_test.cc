@@ -27,11 +27,11 @@ RadianceImage EdgeAt(double x0) {
 }
 
 /// Mean place and variance of the edge in the first row, by its slope.
-struct Spread {
+struct EdgeSpread {
   double mean = 0.0, variance = 0.0;
 };
-Spread SpreadOf(const RadianceImage& image) {
-  Spread spread;
+EdgeSpread EdgeSpreadOf(const RadianceImage& image) {
+  EdgeSpread spread;
   double sum = 0.0, second = 0.0;
   for (int x = 1; x < kWidth; ++x) {
     const double slope = image.at(x, 0) - image.at(x - 1, 0);
@@ -62,10 +62,10 @@ StereoRadiance MovedEdge(double motion_px) {
 
 // A box of d px has the variance d^2 / 12.
 TEST(Shutter, MovedEdgeIsWidenedByABox) {
-  const double still = SpreadOf(EdgeAt(60.3)).variance;
+  const double still = EdgeSpreadOf(EdgeAt(60.3)).variance;
   for (const double d : {0.25, 0.3, 0.9, 2.0, 5.0, 7.0}) {
     for (const RadianceImage& image : MovedEdge(d)) {
-      const Spread spread = SpreadOf(image);
+      const EdgeSpread spread = EdgeSpreadOf(image);
       EXPECT_NEAR(spread.mean, 60.3, 1e-3) << d;
       EXPECT_NEAR(spread.variance - still, d * d / 12.0, 2e-3 + 1e-3 * d * d) << d;
     }

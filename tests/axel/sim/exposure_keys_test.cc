@@ -45,6 +45,30 @@ TEST_F(ExposureKeys, ExposureIsAutomaticUnlessTheFileSays) {
   EXPECT_EQ(given.level, 0.6);
 }
 
+TEST_F(ExposureKeys, TheImageItselfSetsItUnlessTheFileSaysTheOneBefore) {
+  EXPECT_EQ(Exposure("    exposure: {rule: automatic}").by, ExposureBy::kSame);
+  EXPECT_EQ(Exposure("    exposure: {by: before}").by, ExposureBy::kBefore);
+  EXPECT_EQ(Refused("    exposure: {by: after}"),
+            "20: cameras.sensor.exposure.by: expected one of same, before, found 'after'");
+}
+
+TEST_F(ExposureKeys, DefectsAndReadoutAreThoseOfTheFile) {
+  const SensorModel sensor =
+      LoadRover(WithSensor("    readout_s: 0.03\n    defects: {hot_share: 0.002, "
+                           "hot_rate_e_per_s: 9000, hot_offset_e: 30, dead_share: 0.0005}"))
+          .stereo.sensor;
+  EXPECT_EQ(sensor.readout_s, 0.03);
+  EXPECT_EQ(sensor.defects.hot_share, 0.002);
+  EXPECT_EQ(sensor.defects.hot_rate_e_per_s, 9000.0);
+  EXPECT_EQ(sensor.defects.hot_offset_e, 30.0);
+  EXPECT_EQ(sensor.defects.dead_share, 0.0005);
+}
+
+TEST_F(ExposureKeys, InterlacedVideoHasNoRollingShutter) {
+  EXPECT_THAT(Refused("    readout_s: 0.01\n    video: {fields: interlaced}"),
+              testing::HasSubstr("cameras.sensor.readout_s: expected 0 next to interlaced video"));
+}
+
 TEST_F(ExposureKeys, FixedExposureHoldsItsElectrons) {
   const ExposureModel given = Exposure("    exposure: {rule: fixed, fixed_e: 30000}");
   EXPECT_EQ(given.rule, ExposureRule::kFixed);
@@ -75,8 +99,8 @@ TEST_F(ExposureKeys, FixedExposureWithoutElectronsIsRefused) {
 
 TEST_F(ExposureKeys, UnknownExposureKeyIsRefused) {
   EXPECT_EQ(Refused("    exposure: {stops: 1}"),
-            "16: cameras.sensor.exposure.stops: unknown key, known are: rule, percent, level, "
-            "bracket_stops, fixed_e");
+            "16: cameras.sensor.exposure.stops: unknown key, known are: rule, by, percent, "
+            "level, bracket_stops, fixed_e");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The picture of a moving rover: what moves in it, and that a standing one sees as without shutter.
+// The image of a moving rover: what moves in it, and that a standing one sees as without shutter.
 #include <gtest/gtest.h>
 
 #include "axel/sim/scenarios.h"
@@ -80,6 +80,53 @@ TEST(MovingCamera, StandingItSeesAsWithoutShutterToTheBit) {
   const StereoImages a = PairOf(*fast), b = PairOf(*slow);
   EXPECT_EQ(a.left.pixels, b.left.pixels);
   EXPECT_EQ(a.right.pixels, b.right.pixels);
+}
+
+TEST(MovingCamera, StandingARollingShutterGivesTheSameBits) {
+  const auto whole = Plant();
+  const auto rolling = Plant({"changes.robot.cameras.sensor.readout_s=0.05"});
+  for (AxelPlant* plant : {whole.get(), rolling.get()}) Hold(*plant, BrakedCommands(), 3.0);
+  EXPECT_EQ(PairOf(*whole), PairOf(*rolling));
+}
+
+// Upright edges lean: the upper rows are of earlier, the lower ones of later.
+TEST(MovingCamera, TurningTheRowsOfARollingShutterAreThoseOfTheirTimes) {
+  std::vector<std::string> keys{"changes.robot.cameras.sensor.shutter_s=0",
+                                "changes.robot.cameras.sensor.full_well_e=1e6",
+                                "changes.robot.cameras.sensor.exposure.rule=fixed",
+                                "changes.robot.cameras.sensor.exposure.fixed_e=9e5"};
+  const auto whole = Plant(keys);
+  keys.emplace_back("changes.robot.cameras.sensor.readout_s=0.05");
+  const auto rolling = Plant(keys);
+  for (AxelPlant* plant : {whole.get(), rolling.get()}) Hold(*plant, Rolling(-0.3, 0.3), 3.0);
+  const double rows_px =
+      rolling->built().built_rig.left.focal_px().x() * rolling->truth().w_WR_W.z() * 0.05;
+  ASSERT_GT(rows_px, 0.5);
+  const GrayImage now = PairOf(*whole).left, image = PairOf(*rolling).left;
+  for (const int part : {1, 2, 3}) {  // the uppermost rows show sky
+    const double time = (part + 0.5) / 4.0 - 0.5;
+    EXPECT_NEAR(ShiftOfRows_px(image, now, part * 60, part * 60 + 60), time * rows_px,
+                0.12 * rows_px)
+        << part;
+  }
+}
+
+TEST(MovingCamera, StandingThePairBeforeSetsTheSameExposure) {
+  for (const std::string left : {"normal", "dark", "none"}) {
+    const std::string fault = "camera.left.picture=" + left;
+    const auto itself = Plant({fault});
+    const auto before = Plant({fault, "changes.robot.cameras.sensor.exposure.by=before"});
+    for (const double stops : {0.0, 2.0, -1.0, 0.0}) {
+      const auto images = [&](AxelPlant& plant) {
+        std::vector<GrayImage> all;
+        for (CameraImage& image : plant.TakeImages({kLeftCamera, kRightCamera}, stops)) {
+          all.push_back(std::get<GrayImage>(image.pixels));
+        }
+        return all;
+      };
+      EXPECT_EQ(images(*before), images(*itself)) << left << " " << stops;
+    }
+  }
 }
 
 TEST(MovingCamera, DrivingItSeesLessSharplyTheLongerTheShutterIsOpen) {
