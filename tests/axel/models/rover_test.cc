@@ -102,6 +102,15 @@ TEST(AxelField, HasTheSensesOfItsFileOnAxelsBody) {
   EXPECT_EQ(field.motors[0].current_scale_share, 0.02);
   ASSERT_TRUE(field.tether_sensor);
   EXPECT_DOUBLE_EQ(field.tether_sensor->direction_offset_rad, Radians(1.0));
+  EXPECT_EQ(field.stereo.sensor.readout_s, 0.02);
+  EXPECT_EQ(field.stereo.sensor.exposure.by, ExposureBy::kBefore);
+  EXPECT_EQ(field.stereo.sensor.defects.hot_share, 0.001);
+  EXPECT_EQ(field.stereo.lens.ripple_px, 0.15);
+  EXPECT_EQ(field.stereo.sensor.full_well_e, axel.stereo.sensor.full_well_e);
+  EXPECT_EQ(axel.stereo.sensor.readout_s, 0.0);
+  EXPECT_EQ(axel.stereo.sensor.exposure.by, ExposureBy::kSame);
+  EXPECT_EQ(axel.stereo.sensor.defects.hot_share, 0.0);
+  EXPECT_EQ(axel.stereo.lens.ripple_px, 0.0);
   EXPECT_FALSE(axel.tether_sensor);
   EXPECT_FALSE(axel.imu.unit);
   EXPECT_EQ(axel.motors[arm].backlash_rad, 0.0);
