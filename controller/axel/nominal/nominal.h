@@ -37,9 +37,9 @@ struct Nominal {
   double rover_mass_kg = 40.0;
   double arm_down_nm = 10.2;  // moment of the weights of level arm and body that keeps the arm down
   double seated_play_rad = 0.02545;  // by which the seated arm can turn to each side
-  double gravity_m_s2 = 9.81;       // of the place, nominal
-  double station_weight_n = 0.0;    // m g
-  double station_friction = 0.0;    // of its soles on the ground
+  double gravity_m_s2 = 9.81;        // of the place, nominal
+  double station_weight_n = 0.0;     // m g
+  double station_friction = 0.0;     // of its soles on the ground
   // The middle of its soles behind the mouth, and how far they are from it, in the mean.
   double station_back_m = 0.0, station_spread_m = 0.0;
   double mouth_height_m = 0.0;   // centre of the cone's mouth above the ground
