@@ -8,8 +8,8 @@
 
 namespace dockyard {
 
-/// Of the hot pixels, those that add an offset to every image: "more than 40 %" (Thomas et al.,
-/// Proc. SPIE 7875, 2011, "partially stuck").
+/// Of the hot pixels, those that add an offset to every image: over 40 % (Thomas et al., Proc. SPIE
+/// 7875, 2011).
 inline constexpr double kStuckShare = 0.4;
 
 inline bool HasDefects(const DefectOptions& defects) {
